@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abrdf/output_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+namespace abrdf {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), temporary_(temporaryBeside(path_)) {
+    file_ = std::fopen(temporary_.c_str(), "wb");
+    if (file_ == nullptr) fail("cannot be created");
+}
+
+OutputFile::~OutputFile() {
+    if (file_ != nullptr) std::fclose(file_);
+    if (!temporary_.empty()) {
+        std::error_code ignored;
+        fs::remove(temporary_, ignored);
+    }
+}
+
+void OutputFile::fail(const char* what) const {
+    const int error = errno;
+    throw std::runtime_error(fmt::format("{}: {}: {}{}", path_.string(), what, std::strerror(error),
+                                         error == ENOSPC ? "; free some space and run again" : ""));
+}
+
+void OutputFile::write(std::span<const char> bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot be written");
+}
+
+std::uint64_t OutputFile::position() const {
+    return static_cast<std::uint64_t>(ftello(file_));
+}
+
+void OutputFile::seek(std::uint64_t position) {
+    if (fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0) fail("cannot be written");
+}
+
+void OutputFile::commit() {
+    // A full disk may show itself only here.
+    if (std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) fail("cannot be written");
+    std::FILE* file = file_;
+    file_ = nullptr;
+    if (std::fclose(file) != 0) fail("cannot be written");
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in place");
+    temporary_.clear();
+}
+
+void writeWholeFile(const fs::path& path, std::string_view bytes) {
+    OutputFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+void checkOutputPath(const fs::path& path) {
+    if (path.empty() || !path.has_filename()) {
+        throw std::runtime_error(fmt::format("'{}' is no file name for an output", path.string()));
+    }
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (!fs::is_directory(folder)) {
+        throw std::runtime_error(fmt::format("{}: the folder {} does not exist; make it first",
+                                             path.string(), folder.string()));
+    }
+    if (fs::exists(path) && !fs::is_regular_file(path)) {
+        throw std::runtime_error(fmt::format(
+            "{}: is a folder or a device, not a file that can be replaced", path.string()));
+    }
+    if (access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw std::runtime_error(fmt::format("{}: the folder {} cannot be written to: {}",
+                                             path.string(), folder.string(), std::strerror(errno)));
+    }
+}
+
+fs::path temporaryBeside(const fs::path& path) {
+    return path.parent_path() / fmt::format(".{}.abrdf-{}", path.filename().string(), getpid());
+}
+
+}  // namespace abrdf

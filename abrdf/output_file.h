@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace abrdf {
+
+/// A file that appears whole or not at all: bytes go to a temporary beside `path`, commit() puts
+/// it in place; destroyed without commit() the temporary is removed and an older file is intact.
+/// Every failure throws std::runtime_error with the path and the system's reason.
+class OutputFile {
+  public:
+    explicit OutputFile(std::filesystem::path path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::span<const char> bytes);
+    std::uint64_t position() const;
+    void seek(std::uint64_t position);
+    void commit();
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    [[noreturn]] void fail(const char* what) const;
+
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;
+    std::FILE* file_ = nullptr;
+};
+
+/// Writes a whole small file through OutputFile.
+void writeWholeFile(const std::filesystem::path& path, std::string_view bytes);
+
+/// Throws where `path` cannot become an output file: its folder does not exist or takes no files,
+/// or the path is a folder or a device. Asked before any work starts.
+void checkOutputPath(const std::filesystem::path& path);
+
+/// The temporary's name beside `path`: hidden, and different for each process.
+std::filesystem::path temporaryBeside(const std::filesystem::path& path);
+
+}  // namespace abrdf
