@@ -46,7 +46,7 @@ void OutputFile::seek(std::uint64_t position) {
 
 void OutputFile::commit() {
     // A full disk may show itself only here.
-    if (std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) fail("cannot be written");
+    if (std::ferror(file_) != 0 || std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) fail("cannot be written");
     std::FILE* file = file_;
     file_ = nullptr;
     if (std::fclose(file) != 0) fail("cannot be written");

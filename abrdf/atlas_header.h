@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ImfHeader.h>
+
+#include <cstdint>
+#include <string>
+
+#include "abrdf/angular_grid.h"
+#include "abrdf/atlas_layout.h"
+
+namespace abrdf {
+
+/// Whether cos(theta_i) is in the values.
+enum class Cosine { kKept, kDivided, kAbsent };
+
+/// "kept", "divided" or "absent"; the inverse throws std::invalid_argument for other names.
+std::string nameOf(Cosine cosine);
+Cosine cosineFromName(const std::string& name);
+
+/// How many values needed care. A value is one colour: one pair of one texel.
+struct ValueCounts {
+    std::uint64_t clamped = 0;       ///< Below 0 after reconstruction, or above half's range: cut.
+    std::uint64_t extrapolated = 0;  ///< At a theta past the largest measured one.
+    std::uint64_t nonfinite = 0;     ///< NaN, infinite or negative in the input, or made so on the way.
+    std::uint64_t missing = 0;       ///< Missing images that were interpolated on request.
+
+    ValueCounts& operator+=(const ValueCounts& other);
+};
+
+/// All that an atlas says of itself (interface.md, "Files").
+struct AtlasHeader {
+    AtlasLayout layout;
+    AngularGrid grid;
+    std::string method;
+    std::string plan;
+    int samples = 0;
+    std::string source;
+    Cosine cosine = Cosine::kKept;
+    Radians maxMeasuredTheta = 0;
+    ValueCounts counts;
+    std::string colorSpace;  ///< OpenColorIO name.
+    std::string interopId;   ///< Color Interop Forum id, "unknown" where the space is none of ours.
+
+    bool isAtlas() const { return grid.pairCount() > 0; }
+};
+
+constexpr int kAtlasVersion = 1;
+
+/// Writes `atlas` into attributes `abrdf:*`, with chromaticities and colorInteropID.
+void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header);
+
+/// The inverse. Throws std::runtime_error, naming `file`, where an attribute is absent or
+/// contradicts another or the image's size.
+AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file);
+
+}  // namespace abrdf

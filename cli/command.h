@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "abrdf/progress.h"
+#include "pipeline/job.h"
+
+namespace abrdf {
+
+/// Options that mean the same for every command.
+struct SharedOptions {
+    int threads = 0;  ///< 0: from the environment, else all processors.
+    std::string progress = "auto";
+    std::filesystem::path report;
+    bool verbose = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+/// One command: its options on `app` and, when chosen, what to run (returning the exit status).
+using RunCommand = std::function<int(const SharedOptions&, const ProgressSink&)>;
+
+// One file a command; each adds its subcommand and says through `run` what to do when it is chosen.
+void addConvert(CLI::App& app, RunCommand& run);
+void addInspect(CLI::App& app, RunCommand& run);
+void addEvaluate(CLI::App& app, RunCommand& run);
+void addDemo(CLI::App& app, RunCommand& run);
+
+/// The input, its colours and missing images: for every command on a database.
+void addInputOptions(CLI::App& command, InputOptions& options);
+
+/// --plan and each of its numbers. Call chosenPlan() after parsing.
+struct PlanOptions {
+    std::string plan = "poster";
+    std::vector<double> elevations;
+    double alpha = 90;
+    int axial = 0;     ///< 0: the plan's own.
+    int diagonal = 0;  ///< 0: the plan's own.
+};
+void addPlanOptions(CLI::App& command, PlanOptions& options);
+SlicePlan chosenPlan(const PlanOptions& options);
+
+/// Prints `report` on stdout as JSON where --json was given, else `text`, and writes --report.
+void deliver(const nlohmann::ordered_json& report, const std::string& text,
+             const SharedOptions& shared);
+
+}  // namespace abrdf

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace abrdf {
+
+/// Puts the keys of a TOML job file (--config FILE) into the command line as options, before the
+/// user's own words, which so win over it. `words`: the program's arguments without its name; the
+/// first one that is no option is the command. A key `texels = "64x64"` stands for --texels 64x64,
+/// `dry-run = true` for --dry-run, an array for a list with commas, `input` for INPUT.
+/// Throws std::runtime_error that names the file and the line.
+std::vector<std::string> withConfigFile(std::vector<std::string> words);
+
+}  // namespace abrdf

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/convert.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "cli/command.h"
+
+namespace abrdf {
+
+namespace {
+
+struct Options {
+    ConvertOptions job;
+    PlanOptions plan;
+    std::string texels = "1x1";
+    std::string layout = "angular";
+    std::string compression = "zip";
+    std::string cosine = "keep";
+    bool dryRun = false;
+    bool noClobber = false;
+};
+
+std::string summaryOf(const nlohmann::ordered_json& r) {
+    return fmt::format("{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s\n",
+                       r["output"]["path"].get<std::string>(), r["texels"][0].get<int>(),
+                       r["texels"][1].get<int>(), r["grid"]["lights"].get<int>(),
+                       r["grid"]["views"].get<int>(), r["plan"]["images_read"].get<int>(),
+                       r["time"]["total"].get<double>());
+}
+
+std::string planText(const nlohmann::ordered_json& r) {
+    std::string text;
+    for (const auto& file : r["images"]) text += file.get<std::string>() + "\n";
+    constexpr double kMega = 1e6;
+    return text + fmt::format("{} images, {:.1f} MB to read, about {:.0f} MB of memory, {:.1f} MB of "
+                              "output before compression\n",
+                              r["images"].size(), r["estimate"]["bytes_read"].get<double>() / kMega,
+                              r["estimate"]["memory"].get<double>() / kMega,
+                              r["estimate"]["output_bytes_uncompressed"].get<double>() / kMega);
+}
+
+void warnOfCounts(const nlohmann::ordered_json& counts) {
+    if (counts["nonfinite"] != 0) {
+        spdlog::warn("{} NaN, infinite or negative values were kept out", counts["nonfinite"].dump());
+    }
+    if (counts["missing"] != 0) {
+        spdlog::warn("{} missing images were interpolated", counts["missing"].dump());
+    }
+    if (counts["clamped"] != 0) {
+        spdlog::info("{} values were cut to the range that light can have", counts["clamped"].dump());
+    }
+}
+
+int run(Options options, const SharedOptions& shared, const ProgressSink& progress) {
+    options.job.plan = chosenPlan(options.plan);
+    options.job.texels = texelsFromName(options.texels);
+    options.job.layout = atlasKindFromName(options.layout);
+    options.job.compression = compressionFromName(options.compression);
+    options.job.divideCosine = options.cosine == "divide";
+    if (options.noClobber && std::filesystem::exists(options.job.output)) {
+        spdlog::info("{}: exists and is kept (--no-clobber)", options.job.output.string());
+        return 0;
+    }
+    if (options.dryRun) {
+        const auto plan = planConvert(options.job);
+        deliver(plan, planText(plan), shared);
+        return 0;
+    }
+    const auto report = convert(options.job, progress);
+    warnOfCounts(report["counts"]);
+    nlohmann::ordered_json full = report;
+    full["threads"] = shared.threads;
+    deliver(full, shared.quiet ? "" : summaryOf(full), shared);
+    return 0;
+}
+
+}  // namespace
+
+void addConvert(CLI::App& app, RunCommand& runCommand) {
+    CLI::App* command = app.add_subcommand("convert", "a BTF stack to a reconstructed ABRDF atlas");
+    command->footer("Example: abrdf convert corduroy.zip -o corduroy.exr --method published");
+    auto options = std::make_shared<Options>();
+    ConvertOptions& job = options->job;
+    addInputOptions(*command, job.input);
+    addPlanOptions(*command, options->plan);
+    command->add_option("-o,--output", job.output, "the atlas, an OpenEXR file")->required();
+    command->add_option("--method", job.method, "see abrdf --list-methods")->capture_default_str();
+    command->add_option("--grid", job.grid,
+                        "input | ubo81 | dome151 | utia288 | regular:THETASxPHIS | a CSV of "
+                        "theta_deg,phi_deg")
+        ->capture_default_str();
+    command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
+        ->capture_default_str();
+    command->add_option("--layout", options->layout, "angular | spatial")->capture_default_str();
+    const std::map<std::string, PixelChoice> pixels = {{"auto", PixelChoice::kAuto},
+                                                       {"half", PixelChoice::kHalf},
+                                                       {"float", PixelChoice::kFloat}};
+    command->add_option("--pixel", job.pixel, "auto | half | float")
+        ->transform(CLI::CheckedTransformer(pixels));
+    command->add_option("--compression", options->compression, "none | zips | zip | piz")
+        ->capture_default_str();
+    command->add_option("--output-space", job.outputSpace, "colour space of the atlas")
+        ->capture_default_str();
+    command->add_option("--cosine", options->cosine, "cos(theta_i) in the values: keep | divide")
+        ->check(CLI::IsMember({"keep", "divide"}))
+        ->capture_default_str();
+    command->add_flag("--dry-run", options->dryRun, "say what would be read and written");
+    command->add_flag("--no-clobber", options->noClobber, "keep an existing output");
+    command->callback([options, &runCommand] {
+        runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {
+            return run(*options, shared, progress);
+        };
+    });
+}
+
+}  // namespace abrdf

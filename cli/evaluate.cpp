@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/evaluate.h"
+
+#include "cli/command.h"
+
+namespace abrdf {
+
+void addEvaluate(CLI::App& app, RunCommand& runCommand) {
+    CLI::App* command =
+        app.add_subcommand("evaluate", "reconstructions against the full measurement");
+    command->footer("Example: abrdf evaluate corduroy.zip --method measured,published --sheet sheet.png");
+    struct Options {
+        EvaluateOptions job;
+        PlanOptions plan;
+        std::string texels = "1x1";
+    };
+    auto options = std::make_shared<Options>();
+    addInputOptions(*command, options->job.input);
+    addPlanOptions(*command, options->plan);
+    command->add_option("--method,--methods", options->job.methods, "one or more, with commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
+        ->capture_default_str();
+    command->add_option("--exposure", options->job.exposure, "factor on the values, natural exposure")
+        ->capture_default_str();
+    command->add_option("--sheet", options->job.sheet, "contact sheet, a PNG");
+    command->callback([options, &runCommand] {
+        runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {
+            options->job.plan = chosenPlan(options->plan);
+            options->job.texels = texelsFromName(options->texels);
+            const auto report = evaluate(options->job, progress);
+            deliver(report, tableOf(report), shared);
+            return 0;
+        };
+    });
+}
+
+}  // namespace abrdf

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+
+#include "abrdf/cancel.h"
+#include "abrdf/for_each_texel.h"
+#include "abrdf/output_file.h"
+#include "cli/command.h"
+#include "cli/config_file.h"
+#include "cli/progress_display.h"
+#include "cli/suggestion.h"
+
+namespace {
+
+using abrdf::SharedOptions;
+
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+
+volatile std::sig_atomic_t gSignal = 0;
+
+extern "C" void onSignal(int signal) {
+    gSignal = signal;
+    abrdf::requestCancel();
+}
+
+void logToStderr(const SharedOptions& shared) {
+    auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>(
+        std::getenv("NO_COLOR") != nullptr ? spdlog::color_mode::never : spdlog::color_mode::automatic);
+    auto logger = std::make_shared<spdlog::logger>("abrdf", sink);
+    logger->set_pattern("abrdf: %l: %v");
+    logger->set_level(shared.quiet     ? spdlog::level::err
+                      : shared.verbose ? spdlog::level::info
+                                       : spdlog::level::warn);
+    spdlog::set_default_logger(logger);
+}
+
+/// --threads, else the environment of farms, else all processors that we may use.
+int chosenThreads(const SharedOptions& shared) {
+    if (shared.threads > 0) return shared.threads;
+    for (const char* name : {"ABRDF_THREADS", "CUE_THREADS", "SLURM_CPUS_PER_TASK"}) {
+        const char* value = std::getenv(name);
+        if (value == nullptr || *value == '\0') continue;
+        char* end = nullptr;
+        const long threads = std::strtol(value, &end, 10);
+        if (*end != '\0' || threads < 1 || threads > 4096) {
+            throw std::invalid_argument(
+                fmt::format("{} is '{}', not a number of threads from 1 to 4096", name, value));
+        }
+        return static_cast<int>(threads);
+    }
+    return abrdf::availableThreads();
+}
+
+std::string methodList() {
+    std::string list;
+    for (const abrdf::Method& method : abrdf::methods()) {
+        list += fmt::format("{:<12}{} ({})\n", method.name, method.description, method.cost);
+    }
+    return list;
+}
+
+void addSharedOptions(CLI::App& app, SharedOptions& shared) {
+    app.add_option("--threads", shared.threads,
+                   "threads to use (else ABRDF_THREADS, CUE_THREADS, SLURM_CPUS_PER_TASK, all)")
+        ->check(CLI::Range(1, 4096));
+    app.add_option("--progress", shared.progress, "auto | bar | plain | none")->capture_default_str();
+    app.add_option("--report", shared.report, "write a JSON report to this file");
+    app.add_flag("--json", shared.json, "JSON on standard output instead of text");
+    app.add_flag("-v,--verbose", shared.verbose, "say more");
+    app.add_flag("-q,--quiet", shared.quiet, "say nothing but errors");
+    app.add_option("--config", "a TOML file whose keys are the options' names");
+}
+
+int runChosen(const abrdf::RunCommand& run, SharedOptions& shared) {
+    logToStderr(shared);
+    shared.threads = chosenThreads(shared);
+    const auto style = shared.quiet ? abrdf::ProgressStyle::kNone
+                                    : abrdf::progressStyleFromName(shared.progress);
+    if (!shared.report.empty()) abrdf::checkOutputPath(shared.report);
+    // One arena, ours: the libraries' own threads would stand on its feet.
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
+    const abrdf::ThreadLimit limit(shared.threads);
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    return run(shared, abrdf::makeProgressDisplay(style));
+}
+
+int runProgram(std::vector<std::string> words) {
+    CLI::App app("Reconstructs apparent BRDFs from sparse samples of BTF databases.", "abrdf");
+    app.set_version_flag("--version", "abrdf " ABRDF_VERSION);
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.fallthrough();
+    bool listMethods = false;
+    app.add_flag("--list-methods", listMethods, "print the methods: name, what it does, cost");
+    SharedOptions shared;
+    addSharedOptions(app, shared);
+    abrdf::RunCommand run;
+    abrdf::addConvert(app, run);
+    abrdf::addInspect(app, run);
+    abrdf::addEvaluate(app, run);
+    abrdf::addDemo(app, run);
+    app.require_subcommand(0, 1);
+    try {
+        words = abrdf::withConfigFile(std::move(words));
+        std::reverse(words.begin(), words.end());  // CLI11 takes its arguments from the back.
+        app.parse(words);
+    } catch (const CLI::Success& success) {
+        return app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << fmt::format("abrdf: {}{}\n", error.what(), abrdf::suggestion(app, words));
+        return kWrongUsage;
+    }
+    if (listMethods) {
+        std::cout << methodList();
+        return 0;
+    }
+    if (!run) {
+        std::cerr << "abrdf: which command? convert, inspect, evaluate or demo; abrdf --help says more\n";
+        return kWrongUsage;
+    }
+    return runChosen(run, shared);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return runProgram(std::vector<std::string>(argv + 1, argv + argc));
+    } catch (const abrdf::Cancelled& cancelled) {
+        std::cerr << "\nabrdf: " << cancelled.what() << "\n";
+        // Ends by the signal itself, so that a script's loop ends as well.
+        std::signal(gSignal, SIG_DFL);
+        std::raise(gSignal);
+    } catch (const std::invalid_argument& error) {
+        std::cerr << "abrdf: " << error.what() << "\n";
+        return kWrongUsage;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "abrdf: there is not enough memory for this job; choose fewer texels\n";
+    } catch (const std::exception& error) {
+        std::cerr << "abrdf: " << error.what() << "\n";
+    }
+    return kFailed;
+}

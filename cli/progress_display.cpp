@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/progress_display.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsBetween(Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double>(b - a).count();
+}
+
+class Display {
+  public:
+    explicit Display(ProgressStyle style) : style_(style) {}
+
+    void show(const ProgressTick& tick) {
+        const std::lock_guard lock(mutex_);
+        const auto now = Clock::now();
+        if (phase_ != tick.phase) {
+            phase_ = tick.phase;
+            begin_ = now;
+            shown_ = now;
+            most_ = 0;
+        }
+        // Ticks come from many threads; the bar never runs backwards.
+        if (tick.done <= most_) return;
+        most_ = tick.done;
+        const double interval = style_ == ProgressStyle::kBar ? 0.1 : 10.0;
+        const bool last = tick.done == tick.total;
+        if (style_ == ProgressStyle::kBar && last) {
+            std::fputs("\r\033[K", stderr);
+        } else if (secondsBetween(shown_, now) >= interval) {
+            shown_ = now;
+            print(tick, secondsBetween(begin_, now));
+        }
+    }
+
+  private:
+    void print(const ProgressTick& tick, double seconds) const {
+        const double rate = static_cast<double>(tick.done) / std::max(seconds, 1e-9);
+        const double left = static_cast<double>(tick.total - tick.done) / std::max(rate, 1e-9);
+        const std::string facts =
+            fmt::format("{} {}/{} {}, {:.0f} a second, {:.0f} s left", tick.phase, tick.done,
+                        tick.total, tick.unit, rate, left);
+        if (style_ == ProgressStyle::kPlain) {
+            std::fputs((facts + "\n").c_str(), stderr);
+            return;
+        }
+        constexpr std::size_t kWidth = 24;
+        const std::size_t filled = kWidth * tick.done / tick.total;
+        const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+        std::fputs(fmt::format("\r\033[K[{}] {}", bar, facts).c_str(), stderr);
+        std::fflush(stderr);
+    }
+
+    ProgressStyle style_;
+    std::mutex mutex_;
+    std::string phase_;
+    Clock::time_point begin_;
+    Clock::time_point shown_;
+    std::size_t most_ = 0;
+};
+
+}  // namespace
+
+ProgressStyle progressStyleFromName(const std::string& name) {
+    if (name == "none") return ProgressStyle::kNone;
+    if (name == "plain") return ProgressStyle::kPlain;
+    if (name == "bar") return ProgressStyle::kBar;
+    if (name == "auto") return isatty(STDERR_FILENO) != 0 ? ProgressStyle::kBar : ProgressStyle::kPlain;
+    throw std::invalid_argument(
+        fmt::format("there is no progress '{}': use auto, bar, plain or none", name));
+}
+
+ProgressSink makeProgressDisplay(ProgressStyle style) {
+    if (style == ProgressStyle::kNone) return {};
+    auto display = std::make_shared<Display>(style);
+    return [display](const ProgressTick& tick) { display->show(tick); };
+}
+
+}  // namespace abrdf

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "abrdf/progress.h"
+
+namespace abrdf {
+
+/// How progress is shown on stderr.
+enum class ProgressStyle {
+    kNone,
+    kPlain,  ///< A line every ten seconds.
+    kBar,    ///< One line that moves, with rate and time left.
+};
+
+/// auto | bar | plain | none; auto is a bar on a terminal, else plain.
+/// Throws std::invalid_argument for other names.
+ProgressStyle progressStyleFromName(const std::string& name);
+
+/// A sink that shows ticks; clears its bar when a phase is done.
+ProgressSink makeProgressDisplay(ProgressStyle style);
+
+}  // namespace abrdf

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/convert.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+
+#include "abrdf/for_each_texel.h"
+#include "abrdf/output_file.h"
+#include "color/known_space.h"
+#include "stages/pack/pack_texels.h"
+#include "stages/slice/slice_texels.h"
+
+namespace abrdf {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// All that is decided before the first image is decoded.
+struct Job {
+    OpenedInput input;
+    const Method* method = nullptr;
+    SampleSet samples;
+    AngularGrid grid;
+    Texels texels;
+    AtlasHeader header;
+
+    AtlasLayout layout() const { return header.layout; }
+};
+
+std::uint64_t extrapolatedPairs(const AngularGrid& grid, Radians maxMeasuredTheta) {
+    const Radians limit = maxMeasuredTheta + radiansFromDegrees(0.01);
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < grid.pairCount(); ++i) {
+        const LightAndView pair = grid.pair(i);
+        count += pair.light.theta > limit || pair.view.theta > limit ? 1U : 0U;
+    }
+    return count;
+}
+
+AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
+    const BtfDescription& description = job.input.description();
+    AtlasHeader header;
+    header.layout = {options.layout, job.texels.width, job.texels.height,
+                     static_cast<int>(job.grid.lights().size()),
+                     static_cast<int>(job.grid.views().size())};
+    header.grid = job.grid;
+    header.method = options.method;
+    header.plan = job.method->wish == SampleWish::kEverything ? "all" : options.plan.name;
+    header.samples = static_cast<int>(job.samples.count());
+    header.source = description.source;
+    header.cosine = options.divideCosine && description.cosine == Cosine::kKept ? Cosine::kDivided
+                                                                                : description.cosine;
+    header.maxMeasuredTheta = description.grid.maxTheta();
+    header.colorSpace = job.input.colors.spaceName(options.outputSpace);
+    const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
+    header.interopId = known ? std::string(interopId(*known)) : "unknown";
+    header.counts.missing = job.samples.filled;
+    header.counts.extrapolated =
+        extrapolatedPairs(job.grid, header.maxMeasuredTheta) * header.layout.texelCount();
+    return header;
+}
+
+Job prepare(const ConvertOptions& options) {
+    checkOutputPath(options.output);
+    if (fs::exists(options.output) && fs::equivalent(options.output, options.input.input)) {
+        throw std::runtime_error(fmt::format(
+            "{}: is the input as well; choose another output", options.output.string()));
+    }
+    Job job;
+    job.method = &methodFromName(options.method);
+    checkPlan(options.plan);
+    if (options.grid != "input") job.grid = gridFromName(options.grid);
+    job.input = openInput(options.input);
+    if (options.grid == "input") job.grid = job.input.description().grid;
+    job.texels = resolvedTexels(options.texels, job.input.description());
+    job.samples = samplesFor(*job.method, options.plan, job.input);
+    job.header = headerOf(job, options);
+    const std::int64_t width = std::int64_t{job.texels.width} * job.layout().views;
+    const std::int64_t height = std::int64_t{job.texels.height} * job.layout().lights;
+    if (width > (1 << 30) || height > (1 << 30)) {
+        throw std::invalid_argument(
+            fmt::format("an atlas of {} x {} pixels is too large; choose fewer texels or a smaller grid",
+                        width, height));
+    }
+    return job;
+}
+
+/// Rows of texels that are reconstructed and written at once: whole tiles, about 64 MB of values.
+int rowsAtOnce(const Job& job, int tileHeight) {
+    const AtlasLayout layout = job.layout();
+    if (layout.kind == AtlasKind::kSpatial) return layout.texelsHigh;
+    const std::uint64_t rowBytes =
+        sizeof(Rgb) * job.grid.pairCount() * static_cast<std::uint64_t>(layout.texelsWide);
+    const int rowsOfTile = tileHeight / layout.lights;
+    const auto tiles = static_cast<int>((std::uint64_t{64} << 20) / (rowBytes * static_cast<std::uint64_t>(rowsOfTile)));
+    return std::min(layout.texelsHigh, rowsOfTile * std::max(1, tiles));
+}
+
+struct Written {
+    ValueCounts counts;
+    std::uint64_t bytes = 0;
+    double reconstructSeconds = 0;
+    bool fits = true;  ///< False: a value is too large for half, and nothing was written.
+};
+
+/// Reconstructs, packs and writes all texels, block by block.
+Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor& reconstructor,
+                   const ConvertOptions& options, PixelType type, const ProgressSink& progress) {
+    const AtlasLayout layout = job.layout();
+    const PackOptions pack{
+        job.input.colors.transform("scene_linear", options.outputSpace),
+        job.header.cosine == Cosine::kDivided};
+    AtlasWriter writer(options.output, job.header, type, options.compression);
+    Written written;
+    written.counts = job.header.counts;
+    const int rows = rowsAtOnce(job, writer.tileHeight());
+    for (int row = 0; row < layout.texelsHigh; row += rows) {
+        const int count = std::min(rows, layout.texelsHigh - row);
+        const auto width = static_cast<std::size_t>(layout.texelsWide);
+        const auto start = Clock::now();
+        const SlicedTexels sliced =
+            sliceTexels(stack, job.samples, static_cast<std::size_t>(row) * width,
+                        static_cast<std::size_t>(count) * width);
+        ReconstructedTexels texels = reconstructTexels(sliced.samples, job.grid, reconstructor);
+        written.reconstructSeconds += secondsSince(start);
+        finishTexels(texels.abrdfs, job.grid, pack);
+        written.counts.clamped += texels.clamped;
+        written.counts.nonfinite += texels.nonfinite;
+        if (options.pixel == PixelChoice::kAuto && type == PixelType::kHalf &&
+            !fitsHalf(texels.abrdfs.values())) {
+            written.fits = false;
+            return written;
+        }
+        const AtlasBlock block = layout.kind == AtlasKind::kAngular
+                                     ? packAngular(texels.abrdfs, layout, row, count)
+                                     : packSpatial(texels.abrdfs, layout);
+        written.counts.clamped += writer.writeRows(block.y, block.height, block.pixels);
+        if (progress) {
+            progress({"reconstruct", "texels", static_cast<std::size_t>(row + count) * width,
+                      layout.texelCount()});
+        }
+    }
+    written.bytes = writer.finish(written.counts);
+    return written;
+}
+
+ordered_json reportOf(const Job& job, const ConvertOptions& options) {
+    const BtfDescription& description = job.input.description();
+    ordered_json report;
+    report["command"] = "convert";
+    report["version"] = ABRDF_VERSION;
+    report["input"] = {{"format", description.format},
+                       {"lights", description.grid.lights().size()},
+                       {"views", description.grid.views().size()},
+                       {"width", description.width},
+                       {"height", description.height},
+                       {"images", description.imageCount()},
+                       {"cosine", nameOf(description.cosine)},
+                       {"color_space", job.input.inputSpace}};
+    report["plan"] = {{"name", job.header.plan},
+                      {"samples", job.samples.count()},
+                      {"images_read", job.samples.pairs.size()}};
+    report["method"] = options.method;
+    report["texels"] = {job.texels.width, job.texels.height};
+    report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
+    return report;
+}
+
+}  // namespace
+
+ordered_json planConvert(const ConvertOptions& options) {
+    const Job job = prepare(options);
+    std::uint64_t inputBytes = 0;
+    for (const std::size_t pair : job.samples.pairs) inputBytes += job.input.reader->bytesOf(pair);
+    const std::uint64_t texels = job.layout().texelCount();
+    const std::uint64_t values = texels * job.grid.pairCount();
+    const std::uint64_t channelBytes = options.pixel == PixelChoice::kFloat ? 4 : 2;
+    const int rows = rowsAtOnce(job, job.layout().lights);
+    const std::uint64_t blockValues = job.grid.pairCount() * static_cast<std::uint64_t>(rows) *
+                                      static_cast<std::uint64_t>(job.texels.width);
+    ordered_json report = reportOf(job, options);
+    report["dry_run"] = true;
+    std::vector<std::string> files;
+    for (const std::size_t pair : job.samples.pairs) files.push_back(job.input.reader->fileOf(pair));
+    report["estimate"] = {
+        {"bytes_read", inputBytes},
+        {"memory", (std::uint64_t{40} << 20) + sizeof(Rgb) * texels * job.samples.pairs.size() +
+                       (2 * sizeof(Rgb) + 3 * channelBytes) * blockValues},
+        {"output_bytes_uncompressed", 3 * channelBytes * values}};
+    report["images"] = files;
+    return report;
+}
+
+ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
+    const auto start = Clock::now();
+    Job job = prepare(options);
+    const ReadStack read = readStack(job.input, job.samples.pairs, job.texels, progress);
+    job.header.counts.nonfinite = read.leftOut;
+    const double readSeconds = secondsSince(start);
+
+    const auto reconstructor = job.method->make(
+        {options.plan, job.samples, job.input.description().grid, job.grid});
+    PixelType type = options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
+    Written written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
+    if (!written.fits) {
+        type = PixelType::kFloat;
+        written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
+    }
+    ordered_json report = reportOf(job, options);
+    report["counts"] = {{"clamped", written.counts.clamped},
+                        {"extrapolated", written.counts.extrapolated},
+                        {"nonfinite", written.counts.nonfinite},
+                        {"missing", written.counts.missing}};
+    const double total = secondsSince(start);
+    report["time"] = {{"read", readSeconds},
+                      {"reconstruct", written.reconstructSeconds},
+                      {"write", total - readSeconds - written.reconstructSeconds},
+                      {"total", total}};
+    report["peak_memory"] = peakMemory();
+    report["output"] = {{"path", options.output.string()},
+                        {"bytes", written.bytes},
+                        {"pixel", nameOf(type)}};
+    return report;
+}
+
+}  // namespace abrdf

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/job.h"
+
+namespace abrdf {
+
+/// Reconstructions against the full measurement of one database, on its own grid.
+struct EvaluateOptions {
+    InputOptions input;
+    std::vector<std::string> methods = {"published"};
+    SlicePlan plan;
+    Texels texels;
+    double exposure = 1;           ///< Factor on the values for the natural exposure, > 0.
+    std::filesystem::path sheet;   ///< Contact sheet (PNG); empty: none.
+};
+
+/// Reads every image, runs the methods, measures. Returns the report of interface.md; the sheet
+/// shows the mean over all texels. Throws as convert().
+nlohmann::ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progress);
+
+/// The poster's table of such a report, as text with one row a method and a heading.
+std::string tableOf(const nlohmann::ordered_json& report);
+
+}  // namespace abrdf

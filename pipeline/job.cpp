@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/job.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <stdexcept>
+
+#include "abrdf/for_each_texel.h"
+#include "stages/average/average_image.h"
+#include "stages/slice/choose_samples.h"
+
+namespace abrdf {
+
+namespace {
+
+/// Throws where images that the job needs are absent.
+[[noreturn]] void failMissing(const std::vector<std::size_t>& missing, const OpenedInput& input) {
+    std::string names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(5, missing.size()); ++i) {
+        names += fmt::format("{}{}", i > 0 ? ", " : "",
+                             pairName(input.description().grid.pair(missing[i])));
+    }
+    throw std::runtime_error(fmt::format(
+        "{}: {} of the images that this job needs {} missing ({}{}); --missing fill would "
+        "interpolate them from their neighbours and count them",
+        input.description().source, missing.size(), missing.size() == 1 ? "is" : "are", names,
+        missing.size() > 5 ? " ..." : ""));
+}
+
+}  // namespace
+
+Texels texelsFromName(const std::string& name) {
+    if (name == "full") return {0, 0};
+    Texels texels{0, 0};
+    const char* end = name.data() + name.size();
+    const auto [by, error] = std::from_chars(name.data(), end, texels.width);
+    if (error == std::errc() && by != end && *by == 'x') {
+        const auto [rest, heightError] = std::from_chars(by + 1, end, texels.height);
+        if (heightError == std::errc() && rest == end && texels.width > 0 && texels.height > 0) {
+            return texels;
+        }
+    }
+    throw std::invalid_argument(
+        fmt::format("the texels '{}' are not understood: write WxH, as 1x1 or 64x64, or full", name));
+}
+
+OpenedInput openInput(const InputOptions& options) {
+    OpenedInput input{openBtf(options.input), ColorConfig::load(options.colorConfig), {},
+                      options.missing};
+    const BtfDescription& description = input.description();
+    if (!description.duplicates.empty()) {
+        throw std::runtime_error(fmt::format(
+            "{}: {} pairs of directions have two images, so that it is not clear which counts; the "
+            "first: {}; remove one of each",
+            options.input.string(), description.duplicates.size(), description.duplicates[0]));
+    }
+    input.inputSpace = input.colors.spaceName(
+        options.inputSpace.empty() ? description.colorSpace : options.inputSpace);
+    return input;
+}
+
+Texels resolvedTexels(Texels texels, const BtfDescription& description) {
+    if (texels.width == 0) return {description.width, description.height};
+    if (texels.width > description.width || texels.height > description.height) {
+        throw std::invalid_argument(
+            fmt::format("{} x {} texels are more than the images' {} x {} pixels", texels.width,
+                        texels.height, description.width, description.height));
+    }
+    return texels;
+}
+
+SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input) {
+    const BtfDescription& description = input.description();
+    SampleSet samples = chooseSamples(plan, description.grid, method.wish);
+    const std::vector<std::size_t> missing = missingPairs(samples, description.present);
+    if (missing.empty()) return samples;
+    if (input.missing == MissingImages::kError) failMissing(missing, input);
+    return fillMissing(std::move(samples), description.grid, description.present);
+}
+
+ReadStack readStack(const OpenedInput& input, const std::vector<std::size_t>& pairs, Texels texels,
+                    const ProgressSink& progress) {
+    const Linearizer linearizer(input.colors.transform(input.inputSpace, "scene_linear"));
+    ReadStack result{ImageStack(pairs, texels.width, texels.height), 0};
+    std::atomic<std::uint64_t> leftOut = 0;
+    std::atomic<std::size_t> done = 0;
+    forEachImage(pairs.size(), [&](std::size_t i) {
+        leftOut += averageImage(input.reader->read(pairs[i]), linearizer, texels.width,
+                                texels.height, result.stack.image(i));
+        if (progress) progress({"read", "images", ++done, pairs.size()});
+    });
+    result.leftOut = leftOut;
+    return result;
+}
+
+std::string pairName(const LightAndView& pair) {
+    const auto key = [](Radians angle) {
+        const double degrees = std::round(degreesFromRadians(angle) * 1e4) / 1e4;
+        return degrees == std::round(degrees) ? fmt::format("{:03.0f}", degrees)
+                                              : fmt::format("{}", degrees);
+    };
+    return fmt::format("tl{} pl{} tv{} pv{}", key(pair.light.theta), key(pair.light.phi),
+                       key(pair.view.theta), key(pair.view.phi));
+}
+
+std::uint64_t peakMemory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace abrdf

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "abrdf/image_stack.h"
+#include "abrdf/progress.h"
+#include "abrdf/sample_set.h"
+#include "abrdf/slice_plan.h"
+#include "color/color_config.h"
+#include "stages/read/btf_reader.h"
+#include "stages/reconstruct/reconstructor.h"
+
+namespace abrdf {
+
+enum class MissingImages {
+    kError,  ///< A needed image that is absent ends the job.
+    kFill,   ///< It is interpolated from its neighbours, and counted.
+};
+
+/// What every job on a database says of its input.
+struct InputOptions {
+    std::filesystem::path input;
+    std::optional<std::filesystem::path> colorConfig;  ///< Else $OCIO, else the shipped config.
+    std::string inputSpace;  ///< OpenColorIO name; empty: the database's own convention.
+    MissingImages missing = MissingImages::kError;
+};
+
+/// Spatial resolution of a job; 0 x 0 stands for every texel of the images.
+struct Texels {
+    int width = 1;
+    int height = 1;
+};
+
+/// "WxH" or "full". Throws std::invalid_argument.
+Texels texelsFromName(const std::string& name);
+
+/// A database that is open and checked, with the colours' way in.
+struct OpenedInput {
+    std::unique_ptr<BtfReader> reader;
+    ColorConfig colors;
+    std::string inputSpace;  ///< The config's own name of it.
+    MissingImages missing = MissingImages::kError;
+
+    const BtfDescription& description() const { return reader->description(); }
+};
+
+/// Throws std::runtime_error for anything that cannot be used: no database, two images for a pair, a
+/// colour space that the config lacks.
+OpenedInput openInput(const InputOptions& options);
+
+/// Replaces 0 x 0 by the images' size; throws std::invalid_argument for more texels than pixels.
+Texels resolvedTexels(Texels texels, const BtfDescription& description);
+
+/// The samples for `method`, with missing images filled where that was asked for.
+/// Throws std::runtime_error that counts the missing images and names the first five.
+SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input);
+
+struct ReadStack {
+    ImageStack stack;
+    std::uint64_t leftOut = 0;  ///< Pixels that were NaN, infinite or negative.
+};
+
+/// Reads, linearises and averages the images of `pairs` in parallel; opens no other image.
+ReadStack readStack(const OpenedInput& input, const std::vector<std::size_t>& pairs, Texels texels,
+                    const ProgressSink& progress);
+
+/// "tl030 pl090 tv015 pv060": a pair as the databases write it.
+std::string pairName(const LightAndView& pair);
+
+/// Largest resident set so far, in bytes.
+std::uint64_t peakMemory();
+
+}  // namespace abrdf

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "color/rgb.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace abrdf {
+
+/// How far a reconstruction is from its measurement as an sRGB display shows both, clipped to
+/// [0, 1]: the poster's measures.
+struct Measures {
+    double deltaE = 0;      ///< Mean CIE 1976 colour difference.
+    double deltaE2000 = 0;  ///< Mean CIEDE2000 colour difference.
+    double rmse = 0;        ///< Of all channels, in 8-bit code values that are not rounded.
+    double psnr = 0;        ///< 20 log10(255 / max(rmse, 1e-9)), in dB.
+};
+
+struct Accuracy {
+    Measures natural;       ///< 1 is shown as 1 (times MeasureOptions::exposure).
+    Measures highlight;     ///< The 99.5 % quantile of the full measurement is shown as 1.
+    double stops = 0;       ///< Mean |log2((B^ + e) / (B + e))|, e a tenth of the median.
+    std::size_t pairs = 0;  ///< Over how many pairs; where it is 0, all measures are 0.
+};
+
+struct MeasureOptions {
+    double exposure = 1;  ///< Factor on the values in the natural measures, > 0; unitless.
+};
+
+/// Compares the pairs whose mask is not 0; an empty mask means all. Quantile and median are those
+/// of the full measurement all the same. Pairs that `truth` lacks (not finite) are left out; a NaN
+/// of the reconstruction is an error that shows: its measures are NaN.
+/// Both colours are scene-linear Rec.709, one a pair; the caller converts.
+Accuracy measureAccuracy(std::span<const Rgb> truth, std::span<const Rgb> reconstruction,
+                         std::span<const std::uint8_t> mask, const MeasureOptions& options);
+
+/// CIE 1976 colour difference of each pair at one exposure; scene-linear Rec.709.
+std::vector<float> deltaEMap(std::span<const Rgb> truth, std::span<const Rgb> reconstruction,
+                             double exposure);
+
+}  // namespace abrdf

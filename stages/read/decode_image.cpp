@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/read/decode_image.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace {
+
+// A photograph of a material sample; a header that declares more is a lie.
+constexpr int kMaxImageSide = 1 << 15;
+
+std::string lowerExtension(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos || name.find('/', dot) != std::string::npos) return {};
+    std::string extension = name.substr(dot + 1);
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+std::set<std::string> imageExtensions() {
+    // "jpeg:jpg,jpe,jpeg;png:png;..."
+    std::string list;
+    OIIO::getattribute("extension_list", list);
+    std::set<std::string> extensions;
+    std::string word;
+    for (const char c : list + ";") {
+        if (c == ',' || c == ';') {
+            extensions.insert(word);
+            word.clear();
+        } else if (c == ':') {
+            word.clear();
+        } else {
+            word += c;
+        }
+    }
+    extensions.erase("");
+    extensions.erase("null");
+    return extensions;
+}
+
+std::runtime_error badImage(const std::string& name, const std::string& why) {
+    return std::runtime_error(fmt::format("{}: is not a whole image: {}", name, why));
+}
+
+/// Packs the first three channels, or the first one three times.
+template <typename T>
+std::vector<T> packedRgb(const std::vector<T>& values, std::size_t channels) {
+    if (channels == 3) return values;
+    const std::size_t pixels = values.size() / channels;
+    std::vector<T> rgb(3 * pixels);
+    for (std::size_t p = 0; p < pixels; ++p) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            rgb[3 * p + c] = values[p * channels + (channels < 3 ? 0 : c)];
+        }
+    }
+    return rgb;
+}
+
+template <typename T>
+std::vector<T> readPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, const std::string& name) {
+    const OIIO::ImageSpec& spec = input.spec();
+    std::vector<T> values(static_cast<std::size_t>(spec.width) *
+                          static_cast<std::size_t>(spec.height) *
+                          static_cast<std::size_t>(spec.nchannels));
+    const bool read = input.read_image(0, 0, 0, -1, type, values.data());
+    // The JPEG reader fills a truncated image with grey, calls it read, and leaves a message.
+    const std::string message = input.geterror();
+    if (!read || !message.empty()) throw badImage(name, message);
+    return packedRgb(values, static_cast<std::size_t>(spec.nchannels));
+}
+
+}  // namespace
+
+bool isImageName(const std::string& name) {
+    static const std::set<std::string> kExtensions = imageExtensions();
+    return kExtensions.contains(lowerExtension(name));
+}
+
+bool isLinearFormat(const std::string& name) {
+    const std::string extension = lowerExtension(name);
+    return extension == "exr" || extension == "hdr" || extension == "rgbe" || extension == "pfm";
+}
+
+EncodedImage decodeImage(std::span<const char> bytes, const std::string& name) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const std::string format = "image." + lowerExtension(name);
+    const auto input = OIIO::ImageInput::open(format, nullptr, &memory);
+    if (!input) throw badImage(name, OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.width < 1 || spec.height < 1 || spec.width > kMaxImageSide ||
+        spec.height > kMaxImageSide || spec.depth > 1 || spec.nchannels < 1 || spec.deep) {
+        throw badImage(name, fmt::format("it declares {} x {} pixels of {} channels", spec.width,
+                                         spec.height, spec.nchannels));
+    }
+    EncodedImage image{spec.width, spec.height, {}};
+    if (spec.format == OIIO::TypeDesc::UINT8) {
+        image.rgb = readPixels<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, name);
+    } else {
+        image.rgb = readPixels<float>(*input, OIIO::TypeDesc::FLOAT, name);
+    }
+    return image;
+}
+
+}  // namespace abrdf

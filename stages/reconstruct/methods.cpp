@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "stages/reconstruct/reconstructor.h"
+
+namespace abrdf {
+
+// A new method is one file in this folder and one line in each of these two lists.
+std::unique_ptr<Reconstructor> makePublished(const ReconstructionTask& task);
+std::unique_ptr<Reconstructor> makeMeasured(const ReconstructionTask& task);
+
+namespace {
+
+constexpr std::array kMethods{
+    Method{"measured", "no reconstruction: every image is read; the reference of all comparisons",
+           "a table look-up a pair", SampleWish::kEverything, makeMeasured},
+    Method{"published", "the poster's method: eight slices, sums of two, radial basis functions",
+           "six multiply-adds a pair", SampleWish::kSlices, makePublished},
+};
+
+}  // namespace
+
+std::span<const Method> methods() {
+    return kMethods;
+}
+
+const Method& methodFromName(const std::string& name) {
+    const auto found =
+        std::ranges::find_if(kMethods, [&](const Method& method) { return method.name == name; });
+    if (found != kMethods.end()) return *found;
+    std::string names;
+    for (const Method& method : kMethods) names += fmt::format(" {}", method.name);
+    throw std::invalid_argument(fmt::format("there is no method '{}'; the methods are:{}", name, names));
+}
+
+}  // namespace abrdf

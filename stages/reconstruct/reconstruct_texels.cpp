@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <atomic>
+
+#include "abrdf/for_each_texel.h"
+#include "stages/reconstruct/reconstructor.h"
+
+namespace abrdf {
+
+ReconstructedTexels reconstructTexels(const AbrdfTile& samples, const AngularGrid& output,
+                                      const Reconstructor& reconstructor) {
+    ReconstructedTexels result{AbrdfTile(samples.texelCount(), output.pairCount()), 0, 0};
+    std::atomic<std::uint64_t> clamped = 0;
+    std::atomic<std::uint64_t> nonfinite = 0;
+    forEachTexelBlock(samples.texelCount(), 1, [&](std::size_t texel, std::size_t) {
+        const std::span<Rgb> abrdf = result.abrdfs[texel];
+        reconstructor.reconstruct(samples[texel], abrdf);
+        std::uint64_t below = 0;
+        std::uint64_t unreal = 0;
+        for (Rgb& value : abrdf) {
+            if (value.r >= 0 && value.g >= 0 && value.b >= 0 && isFinite(value)) continue;
+            if (!isFinite(value)) {
+                ++unreal;
+                value = {};
+            } else {
+                ++below;
+                value = {std::max(value.r, 0.0F), std::max(value.g, 0.0F), std::max(value.b, 0.0F)};
+            }
+        }
+        clamped += below;
+        nonfinite += unreal;
+    });
+    result.clamped = clamped;
+    result.nonfinite = nonfinite;
+    return result;
+}
+
+}  // namespace abrdf

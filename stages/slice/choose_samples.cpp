@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/slice/choose_samples.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace {
+
+void collectPairs(SampleSet& set) {
+    set.pairs.clear();
+    for (const auto& sources : set.sources) {
+        for (const WeightedPair& source : sources) set.pairs.push_back(source.pair);
+    }
+    std::ranges::sort(set.pairs);
+    const auto rest = std::ranges::unique(set.pairs);
+    set.pairs.erase(rest.begin(), rest.end());
+}
+
+void addMeasuredPair(SampleSet& set, const AngularGrid& grid, std::size_t pair) {
+    set.directions.push_back(grid.pair(pair));
+    set.sources.push_back({{pair, 1.0F}});
+}
+
+/// Squared distance of two pairs as points of the product of two spheres.
+double squaredDistance(const LightAndView& a, const LightAndView& b) {
+    const auto chord = [](Direction x, Direction y) {
+        return (vectorFromDirection(x) - vectorFromDirection(y)).length2();
+    };
+    return chord(a.light, b.light) + chord(a.view, b.view);
+}
+
+std::vector<WeightedPair> neighbours(std::size_t pair, const AngularGrid& grid,
+                                     std::span<const std::uint8_t> present) {
+    std::vector<std::pair<double, std::size_t>> found;
+    for (std::size_t other = 0; other < present.size(); ++other) {
+        if (present[other] != 0) {
+            found.emplace_back(squaredDistance(grid.pair(pair), grid.pair(other)), other);
+        }
+    }
+    if (found.empty()) throw std::runtime_error("no image is left to interpolate missing ones from");
+    const std::size_t count = std::min<std::size_t>(4, found.size());
+    std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(count));
+    found.resize(count);
+    double sum = 0;
+    // Two pairs at one place (a pole that is listed twice) have distance 0.
+    for (auto& [distance, other] : found) sum += 1 / std::max(distance, 1e-12);
+    std::vector<WeightedPair> weighted;
+    for (const auto& [distance, other] : found) {
+        weighted.push_back({other, static_cast<float>(1 / std::max(distance, 1e-12) / sum)});
+    }
+    return weighted;
+}
+
+}  // namespace
+
+SampleSet chooseSamples(const SlicePlan& plan, const AngularGrid& grid, SampleWish wish) {
+    SampleSet set;
+    if (wish == SampleWish::kEverything) {
+        for (std::size_t pair = 0; pair < grid.pairCount(); ++pair) addMeasuredPair(set, grid, pair);
+    } else if (wish == SampleWish::kSlices) {
+        const AngularInterpolation lights(grid.lights());
+        const AngularInterpolation views(grid.views());
+        set.directions = plan.samples();
+        for (const LightAndView& wanted : set.directions) {
+            set.sources.push_back(pairWeights(grid, lights, views, wanted));
+        }
+    } else {
+        std::map<std::size_t, bool> nearest;
+        for (const LightAndView& wanted : plan.samples()) {
+            nearest[grid.pairIndex(nearestDirection(grid.lights(), wanted.light),
+                                   nearestDirection(grid.views(), wanted.view))] = true;
+        }
+        for (const auto& [pair, wanted] : nearest) addMeasuredPair(set, grid, pair);
+    }
+    collectPairs(set);
+    return set;
+}
+
+std::vector<std::size_t> missingPairs(const SampleSet& set, std::span<const std::uint8_t> present) {
+    std::vector<std::size_t> missing;
+    for (const std::size_t pair : set.pairs) {
+        if (present[pair] == 0) missing.push_back(pair);
+    }
+    return missing;
+}
+
+SampleSet fillMissing(SampleSet set, const AngularGrid& grid,
+                      std::span<const std::uint8_t> present) {
+    const std::vector<std::size_t> missing = missingPairs(set, present);
+    std::map<std::size_t, std::vector<WeightedPair>> replacement;
+    for (const std::size_t pair : missing) replacement[pair] = neighbours(pair, grid, present);
+    for (auto& sources : set.sources) {
+        std::vector<WeightedPair> filled;
+        for (const WeightedPair& source : sources) {
+            const auto found = replacement.find(source.pair);
+            if (found == replacement.end()) {
+                filled.push_back(source);
+                continue;
+            }
+            for (const WeightedPair& neighbour : found->second) {
+                filled.push_back({neighbour.pair, source.weight * neighbour.weight});
+            }
+        }
+        sources = std::move(filled);
+    }
+    set.filled = missing.size();
+    collectPairs(set);
+    return set;
+}
+
+}  // namespace abrdf

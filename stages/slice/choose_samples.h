@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "abrdf/sample_set.h"
+#include "abrdf/slice_plan.h"
+
+namespace abrdf {
+
+/// The samples of `plan` over a database's grid, in the form that a method wishes: sample i of
+/// kSlices is plan.samples()[i]; kMeasuredPairs and kEverything come in the order of the pairs.
+SampleSet chooseSamples(const SlicePlan& plan, const AngularGrid& grid, SampleWish wish);
+
+/// Those of set.pairs that the database lacks. present: one flag a pair of the grid.
+std::vector<std::size_t> missingPairs(const SampleSet& set, std::span<const std::uint8_t> present);
+
+/// Replaces every missing pair by its (at most four) nearest present ones, weighted by inverse
+/// squared distance of both directions; `filled` counts the pairs replaced.
+/// Throws std::runtime_error where nothing is present.
+SampleSet fillMissing(SampleSet set, const AngularGrid& grid,
+                      std::span<const std::uint8_t> present);
+
+}  // namespace abrdf
