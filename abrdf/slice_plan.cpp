@@ -46,6 +46,7 @@ SlicePlan slicePlanFromName(const std::string& name) {
     const int subspace = std::min(samples, 4 * 720) / 4;
     plan.axialCount = std::clamp(subspace * 24 / 51, 1, 360);
     plan.diagonalCount = std::clamp(subspace - plan.axialCount, 1, 360);
+    plan.name = name;
     return plan;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 #include "abrdf/for_each_texel.h"
@@ -29,6 +30,26 @@ namespace {
         "interpolate them from their neighbours and count them",
         input.description().source, missing.size(), missing.size() == 1 ? "is" : "are", names,
         missing.size() > 5 ? " ..." : ""));
+}
+
+/// The slices can be interpolated between measured elevations only.
+void checkElevations(const SlicePlan& plan, const OpenedInput& input) {
+    const auto check = [&](const std::vector<Direction>& directions, const char* what) {
+        const auto [least, greatest] = std::ranges::minmax(
+            directions, {}, [](const Direction& d) { return d.theta; });
+        for (const Radians theta : plan.elevations) {
+            constexpr Radians kRounding = radiansFromDegrees(0.1);
+            if (theta >= least.theta - kRounding && theta <= greatest.theta + kRounding) continue;
+            throw std::runtime_error(fmt::format(
+                "{}: the plan's elevation of {:g} degrees lies outside the measured {} directions, "
+                "whose theta goes from {:g} to {:g} degrees; choose others with --elevations, or "
+                "--method measured",
+                input.description().source, degreesFromRadians(theta), what,
+                degreesFromRadians(least.theta), degreesFromRadians(greatest.theta)));
+        }
+    };
+    check(input.description().grid.lights(), "light");
+    check(input.description().grid.views(), "view");
 }
 
 }  // namespace
@@ -75,6 +96,7 @@ Texels resolvedTexels(Texels texels, const BtfDescription& description) {
 
 SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input) {
     const BtfDescription& description = input.description();
+    if (method.wish == SampleWish::kSlices) checkElevations(plan, input);
     SampleSet samples = chooseSamples(plan, description.grid, method.wish);
     const std::vector<std::size_t> missing = missingPairs(samples, description.present);
     if (missing.empty()) return samples;

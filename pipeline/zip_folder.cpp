@@ -21,6 +21,7 @@ namespace {
 // 2020-01-01 00:00:00 as MS-DOS wrote dates: 7 bits of years from 1980, 4 of months, 5 of days.
 constexpr zip_uint16_t kDosDate = (40 << 9) | (1 << 5) | 1;
 constexpr zip_uint16_t kDosTime = 0;
+constexpr zip_int64_t kToTheEnd = -1;
 constexpr zip_uint32_t kPlainFile = 0100644U << 16;  // Unix mode, whatever the umask
 
 struct Discard {
@@ -57,7 +58,7 @@ std::vector<std::string> sortedFiles(const fs::path& folder) {
 
 /// False where libzip refuses.
 bool add(zip_t* archive, const fs::path& file, const std::string& name) {
-    zip_source_t* source = zip_source_file(archive, file.c_str(), 0, ZIP_LENGTH_TO_END);
+    zip_source_t* source = zip_source_file(archive, file.c_str(), 0, kToTheEnd);
     if (source == nullptr) return false;
     const zip_int64_t added = zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8);
     if (added < 0) {

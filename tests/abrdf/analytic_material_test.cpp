@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abrdf/analytic_material.h"
+
+#include "abrdf/direction.h"
+#include "abrdf/random.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace abrdf {
+
+namespace {
+
+using Imath::V3f;
+
+V3f unit(double thetaDegrees, double phiDegrees) {
+    return V3f(
+        vectorFromDirection({radiansFromDegrees(thetaDegrees), radiansFromDegrees(phiDegrees)}));
+}
+
+AnalyticMaterial flat(const Facet& facet) {
+    AnalyticMaterial material;
+    material.facets = {facet};
+    return material;
+}
+
+Facet lambertian(float albedo) {
+    Facet facet;
+    facet.diffuse.albedo = albedo;
+    return facet;
+}
+
+Facet mirror(LobeShape shape, float roughnessX, float roughnessY) {
+    Facet facet;
+    facet.lobes[0].strength = 1;
+    facet.lobes[0].shape = shape;
+    facet.lobes[0].fresnel = {1, 1, 5};
+    facet.lobes[0].roughnessX = roughnessX;
+    facet.lobes[0].roughnessY = roughnessY;
+    return facet;
+}
+
+/// A facet with everything on it.
+Facet richFacet(Random& random) {
+    Facet facet = lambertian(0.3F);
+    facet.diffuse.orenNayarSigma = 0.4F;
+    facet.diffuse.minnaertExponent = static_cast<float>(random.uniform(-0.4, 0.5));
+    facet.diffuse.lommelSeeligerShare = 0.5F;
+    facet.lobes[0] = mirror(LobeShape::kGgx, 0.006F, 0.3F).lobes[0];
+    facet.lobes[1] = mirror(LobeShape::kLongTail, 0.2F, 0.1F).lobes[0];
+    facet.lobes[1].tail = 1.4F;
+    facet.lobes[1].fresnel = {0.1F, 0.6F, 3};
+    facet.lobes[1].azimuth = random.uniform(0, kPi);
+    facet.velvet = {0.2F, 0.3F};
+    facet.fibre.strength = 0.5F;
+    facet.fibre.azimuth = random.uniform(0, kPi);
+    facet.fibre.azimuthShare = facet.fibre.grazingShare = 0.5F;
+    facet.retro = {0.3F, 0.1F};
+    return facet;
+}
+
+/// The share of the light from `light` that leaves again: the integral of value(light, w) cos_w /
+/// (pi cos_light) over all views w. The substitution gives both poles their due.
+double albedo(const AnalyticMaterial& material, const V3f& light) {
+    const PreparedMaterial prepared(material);
+    constexpr int kThetas = 400;
+    constexpr int kPhis = 256;
+    double sum = 0;
+    for (int t = 0; t < kThetas; ++t) {
+        const double theta = (t + 0.5) / kThetas * kPi / 2;
+        for (int p = 0; p < kPhis; ++p) {
+            const V3f view(vectorFromDirection({theta, (p + 0.5) / kPhis * 2 * kPi}));
+            sum += static_cast<double>(prepared.evaluate(light, view)) * std::cos(theta) *
+                   std::sin(theta);
+        }
+    }
+    const double cell = (kPi / 2 / kThetas) * (2 * kPi / kPhis);
+    return sum * cell / (kPi * static_cast<double>(light.z));
+}
+
+/// GGX with Smith's height-correlated masking, in doubles and angles, after [Heitz 2014].
+double ggxTwin(const V3f& light, const V3f& view, double ax, double ay, double f0) {
+    const Imath::V3d l(light);
+    const Imath::V3d v(view);
+    const Imath::V3d h = (l + v).normalized();
+    const double theta = std::acos(h.z);
+    const double phi = std::atan2(h.y, h.x);
+    const double tan2 = std::tan(theta) * std::tan(theta);
+    const double e = tan2 * (std::pow(std::cos(phi) / ax, 2) + std::pow(std::sin(phi) / ay, 2));
+    const double d = 1 / (kPi * ax * ay * std::pow(std::cos(theta), 4) * (1 + e) * (1 + e));
+    const auto lambda = [&](const Imath::V3d& w) {
+        const double azimuth = std::atan2(w.y, w.x);
+        const double alpha2 =
+            std::pow(std::cos(azimuth) * ax, 2) + std::pow(std::sin(azimuth) * ay, 2);
+        const double tangent = std::tan(std::acos(w.z));
+        return (std::sqrt(1 + alpha2 * tangent * tangent) - 1) / 2;
+    };
+    const double f = f0 + (1 - f0) * std::pow(1 - l.dot(h), 5);
+    return kPi * d * f / (1 + lambda(l) + lambda(v)) / (4 * v.z);
+}
+
+/// |f(l, v) - f(v, l)| relative to their sum, f the value without its cosine.
+double asymmetry(const AnalyticMaterial& material, const V3f& light, const V3f& view) {
+    const float there = evaluate(material, light, view) / light.z;
+    const float back = evaluate(material, view, light) / view.z;
+    return static_cast<double>(std::fabs(there - back) / (there + back));
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+    TEST_CASE("a white Lambertian lit from its normal is exactly 1, and falls with the cosine") {
+        const AnalyticMaterial white = flat(lambertian(1));
+        CHECK(evaluate(white, V3f(0, 0, 1), V3f(0, 0, 1)) == 1);
+        CHECK(evaluate(white, V3f(0, 0, 1), unit(75, 200)) == 1);
+        for (const double theta : {15.0, 45.0, 75.0}) {
+            CHECK(evaluate(white, unit(theta, 10), unit(60, 300)) ==
+                  doctest::Approx(std::cos(radiansFromDegrees(theta))));
+        }
+    }
+
+    TEST_CASE("Oren-Nayar without slopes, Minnaert with exponent 0 and no dust are Lambert") {
+        Facet facet = lambertian(0.5F);
+        facet.diffuse.orenNayarSigma = 1e-6F;
+        CHECK(evaluate(flat(facet), unit(50, 0), unit(50, 40)) ==
+              doctest::Approx(evaluate(flat(lambertian(0.5F)), unit(50, 0), unit(50, 40))));
+    }
+
+    TEST_CASE("Oren-Nayar is brighter towards the light than away from it") {
+        Facet facet = lambertian(1);
+        facet.diffuse.orenNayarSigma = 0.5F;
+        const AnalyticMaterial rough = flat(facet);
+        CHECK(evaluate(rough, unit(60, 0), unit(60, 0)) >
+              1.5F * evaluate(rough, unit(60, 0), unit(60, 180)));
+    }
+
+    TEST_CASE("a GGX lobe is its closed form") {
+        Random random(1);
+        for (int i = 0; i < 500; ++i) {
+            const double ax = random.logUniform(0.05, 0.9);
+            const double ay = random.logUniform(0.05, 0.9);
+            Facet facet = mirror(LobeShape::kGgx, static_cast<float>(ax), static_cast<float>(ay));
+            facet.lobes[0].fresnel = {0.04F, 1, 5};
+            const V3f light = unit(random.uniform(0, 85), random.uniform(0, 360));
+            const V3f view = unit(random.uniform(0, 85), random.uniform(0, 360));
+            CHECK(evaluate(flat(facet), light, view) ==
+                  doctest::Approx(ggxTwin(light, view, ax, ay, 0.04)).epsilon(2e-4));
+        }
+    }
+
+    TEST_CASE("a long tail with exponent 2 is GGX") {
+        const AnalyticMaterial ggx = flat(mirror(LobeShape::kGgx, 0.2F, 0.4F));
+        const AnalyticMaterial tail = flat(mirror(LobeShape::kLongTail, 0.2F, 0.4F));
+        CHECK(evaluate(tail, unit(40, 20), unit(30, 170)) ==
+              doctest::Approx(evaluate(ggx, unit(40, 20), unit(30, 170))).epsilon(1e-5));
+    }
+
+    TEST_CASE("no more light leaves than arrives") {
+        for (const double theta : {0.0, 45.0, 75.0}) {
+            CAPTURE(theta);
+            const V3f light = unit(theta, 30);
+            CHECK(albedo(flat(lambertian(1)), light) == doctest::Approx(1).epsilon(1e-3));
+            for (const float roughness : {0.1F, 0.4F, 0.9F}) {
+                CAPTURE(roughness);
+                const float across = 0.8F * roughness;
+                CHECK(albedo(flat(mirror(LobeShape::kGgx, roughness, across)), light) < 1.001);
+                CHECK(albedo(flat(mirror(LobeShape::kBeckmann, roughness, across)), light) < 1.001);
+            }
+        }
+        // A smooth mirror without absorption loses next to nothing to its own masking.
+        CHECK(albedo(flat(mirror(LobeShape::kGgx, 0.1F, 0.1F)), unit(30, 0)) > 0.98);
+    }
+
+    TEST_CASE("grooves and tilts make no light") {
+        for (const float groove : {0.0F, 1.0F}) {
+            AnalyticMaterial ribs;
+            ribs.facets.assign(2, lambertian(1));
+            ribs.facets[0].tilt = ribs.facets[1].tilt = 0.7;
+            ribs.facets[1].azimuth = kPi;
+            ribs.facets[0].groove = ribs.facets[1].groove = groove;
+            // From above, each wall shows its cosine; a groove hides nothing there.
+            const float above = evaluate(ribs, V3f(0, 0, 1), V3f(0, 0, 1));
+            CHECK(above == doctest::Approx(std::cos(0.7)).epsilon(1e-5));
+        }
+    }
+
+    TEST_CASE("one flat facet is reciprocal") {
+        Random random(2);
+        for (int i = 0; i < 50; ++i) {
+            Facet facet = richFacet(random);
+            const V3f light = unit(random.uniform(0, 85), random.uniform(0, 360));
+            const V3f view = unit(random.uniform(0, 85), random.uniform(0, 360));
+            CHECK(asymmetry(flat(facet), light, view) < 1e-3);
+        }
+    }
+
+    TEST_CASE("masked facets are not reciprocal") {
+        AnalyticMaterial ribs;
+        ribs.facets = {lambertian(0.8F), lambertian(0.1F)};
+        ribs.facets[0].tilt = ribs.facets[1].tilt = 0.8;
+        ribs.facets[1].azimuth = kPi;
+        CHECK(asymmetry(ribs, unit(60, 0), unit(0, 0)) > 0.1);
+    }
+
+    TEST_CASE("a flat isotropic facet does not change when it is turned; a brushed one does") {
+        Facet smooth = mirror(LobeShape::kGgx, 0.3F, 0.3F);
+        smooth.diffuse = lambertian(0.3F).diffuse;
+        smooth.velvet.strength = 0.2F;
+        AnalyticMaterial isotropic = flat(smooth);
+        AnalyticMaterial brushed = flat(mirror(LobeShape::kGgx, 0.1F, 0.5F));
+        const float before = evaluate(isotropic, unit(50, 20), unit(40, 170));
+        const float brushedBefore = evaluate(brushed, unit(50, 20), unit(40, 170));
+        isotropic.azimuth = brushed.azimuth = radiansFromDegrees(70);
+        CHECK(evaluate(isotropic, unit(50, 20), unit(40, 170)) == doctest::Approx(before));
+        CHECK(evaluate(brushed, unit(50, 20), unit(40, 170)) != doctest::Approx(brushedBefore));
+    }
+
+    TEST_CASE("turning a material is turning light and view the other way") {
+        Random random(3);
+        AnalyticMaterial material;
+        material.facets = {richFacet(random), richFacet(random)};
+        material.facets[0].tilt = 0.3;
+        material.facets[1].tilt = 0.5;
+        material.facets[1].azimuth = 2;
+        material.facets[1].groove = 0.6F;
+        material.field = {{{1, 0.5F, 0}, {0, 2, 1}, 0.3F, 1, 0.2F}};
+        const float still = evaluate(material, unit(35, 100), unit(55, 250));
+        material.azimuth = radiansFromDegrees(40);
+        CHECK(evaluate(material, unit(35, 140), unit(55, 290)) ==
+              doctest::Approx(still).epsilon(1e-3));
+    }
+
+    TEST_CASE("a facet that is turned away from the light is black") {
+        AnalyticMaterial material = flat(lambertian(1));
+        material.facets[0].tilt = radiansFromDegrees(60);
+        CHECK(evaluate(material, unit(45, 180), unit(0, 0)) == 0);
+        CHECK(evaluate(material, unit(45, 0), unit(0, 0)) > 0.9F);
+        // Its own back is not seen, and nothing else is there.
+        CHECK(evaluate(material, unit(0, 0), unit(45, 180)) == 0);
+        CHECK(evaluate(flat(lambertian(1)), V3f(0, 0.6F, -0.8F), V3f(0, 0, 1)) == 0);
+    }
+
+    TEST_CASE("a coat shines, and darkens what lies below it") {
+        AnalyticMaterial varnished = flat(lambertian(0.5F));
+        varnished.coat = {1, 0.05F, 0.04F, 1.5F};
+        const V3f light = unit(40, 0);
+        CHECK(evaluate(varnished, light, unit(40, 180)) >
+              2 * evaluate(flat(lambertian(0.5F)), light, unit(40, 180)));
+        CHECK(evaluate(varnished, light, unit(20, 90)) <
+              evaluate(flat(lambertian(0.5F)), light, unit(20, 90)));
+        CHECK(albedo(varnished, light) < 1);
+    }
+
+    TEST_CASE("retro-reflection comes back, a fibre's light leaves along its cone") {
+        Facet retro;
+        retro.retro = {1, 0.05F};
+        CHECK(evaluate(flat(retro), unit(50, 30), unit(50, 30)) >
+              100 * evaluate(flat(retro), unit(50, 30), unit(50, 120)));
+        Facet fibre;  // along x: the cone of a light at 45 degrees towards +x leaves towards -x
+        fibre.fibre.strength = 1;
+        CHECK(evaluate(flat(fibre), unit(45, 0), unit(45, 180)) >
+              10 * evaluate(flat(fibre), unit(45, 0), unit(45, 0)));
+    }
+
+    TEST_CASE("no direction gives a NaN, an infinity or a negative value") {
+        Random random(4);
+        AnalyticMaterial material;
+        for (int k = 0; k < 4; ++k) {
+            material.facets.push_back(richFacet(random));
+            material.facets.back().tilt = random.uniform(0, 1.2);
+            material.facets.back().azimuth = random.uniform(0, 2 * kPi);
+            material.facets.back().groove = 1;
+        }
+        const std::array<V3f, 7> grazing = {unit(90, 0),      unit(90, 180), unit(89.9999, 180),
+                                            V3f(1, 0, 1e-6F), V3f(1, 0, 0),  V3f(-1, 0, 1e-30F),
+                                            V3f(0, 0, 1)};
+        for (const float coat : {0.0F, 1.0F}) {
+            material.coat.strength = coat;
+            for (const V3f& light : grazing) {
+                for (const V3f& view : grazing) {
+                    const float value = evaluate(material, light, view);
+                    CHECK(std::isfinite(value));
+                    CHECK(value >= 0);
+                }
+            }
+        }
+    }
+
+    TEST_CASE("many pairs at once are one after the other") {
+        Random random(5);
+        const AnalyticMaterial material = flat(richFacet(random));
+        const std::array<VectorPair, 2> pairs = {VectorPair{unit(10, 0), unit(20, 0)},
+                                                 VectorPair{unit(30, 90), unit(60, 10)}};
+        std::array<float, 2> values{};
+        PreparedMaterial(material).evaluate(pairs, values);
+        CHECK(values[0] == evaluate(material, pairs[0].light, pairs[0].view));
+        CHECK(values[1] == evaluate(material, pairs[1].light, pairs[1].view));
+    }
+}
+
+}  // namespace abrdf

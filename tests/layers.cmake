@@ -1,0 +1,37 @@
+# Fails when a folder includes one above it, a stage another stage, or a file but one has threads.
+#   cmake -DROOT=<source folder> -P layers.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(violations 0)
+function(violation text)
+  message("${text}")
+  math(EXPR count "${violations} + 1")
+  set(violations ${count} PARENT_SCOPE)
+endfunction()
+
+set(below)
+foreach(layer color abrdf stages pipeline cli)
+  list(APPEND below ${layer})
+  file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${layer}/*.h ${ROOT}/${layer}/*.cpp)
+  list(SORT sources)
+  foreach(source IN LISTS sources)
+    string(REGEX MATCH "^stages/[^/]+" stage ${source})
+    file(STRINGS ${ROOT}/${source} includes REGEX "^[ \t]*#[ \t]*include")
+    foreach(include IN LISTS includes)
+      if(include MATCHES "\"([^/\"]+)/" AND NOT CMAKE_MATCH_1 IN_LIST below)
+        violation("${source}: ${layer} is below ${CMAKE_MATCH_1}")
+      endif()
+      if(stage AND include MATCHES "\"(stages/[^/\"]+)/" AND NOT CMAKE_MATCH_1 STREQUAL stage)
+        violation("${source}: ${stage} may not know ${CMAKE_MATCH_1}")
+      endif()
+      if(include MATCHES "<(tbb/|oneapi/|thread>|future>|pthread|omp)"
+         AND NOT source STREQUAL "abrdf/for_each_texel.cpp")
+        violation("${source}: threads belong in abrdf/for_each_texel.cpp")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(violations GREATER 0)
+  message(FATAL_ERROR "${violations} violations")
+endif()

@@ -1,0 +1,1 @@
+#include "abrdf/direction.h"

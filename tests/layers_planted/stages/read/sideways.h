@@ -1,0 +1,1 @@
+#include "stages/write/atlas_writer.h"

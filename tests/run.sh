@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, runs every test. --quick leaves out the sanitizers.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bash examples/install_packages.sh
+if [ "${1:-}" != --quick ]; then
+    for preset in asan tsan; do
+        echo "== $preset"
+        cmake --preset "$preset" > /dev/null
+        cmake --build --preset "$preset"
+        ctest --preset "$preset" -j"$(nproc)"
+    done
+fi
+echo "== release"
+cmake --preset release > /dev/null
+cmake --build --preset release
+ctest --preset release -j"$(nproc)"
