@@ -119,9 +119,9 @@ float PreparedMaterial::coated(const V3f& light, const V3f& view) const {
     const V3f lightBelow = refracted(light, coat_.refraction);
     const V3f viewBelow = refracted(view, coat_.refraction);
     // The base's cosine is the one below; what lights it was spread by the refraction.
-    const float below = uncoated(lightBelow, viewBelow) * (light.z / lightBelow.z) *
-                        transmitted(coat_.reflectance, light.z) *
-                        transmitted(coat_.reflectance, view.z);
+    const float below =
+        uncoated(lightBelow, viewBelow) * (light.z / std::max(lightBelow.z, 1e-12F)) *
+        transmitted(coat_.reflectance, light.z) * transmitted(coat_.reflectance, view.z);
     const LocalPair pair(light, view);
     return below + coatLobe_.reflectanceFactor(pair) * pair.cosLight;
 }

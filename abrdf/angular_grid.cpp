@@ -142,9 +142,9 @@ std::vector<Direction> directionsFromCsv(const std::filesystem::path& file) {
             continue;  // The header line.
         }
         if (!isRow || !(theta >= 0 && theta < 90) || !std::isfinite(phi)) {
-            throw std::runtime_error(
-                fmt::format("{}:{}: '{}' is not a row theta_deg,phi_deg with theta from 0 to below 90",
-                            file.string(), number, line));
+            throw std::runtime_error(fmt::format(
+                "{}:{}: '{}' is not a row theta_deg,phi_deg with theta from 0 to below 90",
+                file.string(), number, line));
         }
         directions.push_back({radiansFromDegrees(theta), wrappedAzimuth(radiansFromDegrees(phi))});
     }

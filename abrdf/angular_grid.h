@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/direction.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
-
-#include "abrdf/direction.h"
 
 namespace abrdf {
 
@@ -16,8 +16,8 @@ class AngularGrid {
   public:
     AngularGrid() = default;
 
-    /// Throws std::invalid_argument where a theta is outside 0 .. 90 degrees (90 excluded), an angle
-    /// is not finite, or a list is empty.
+    /// Throws std::invalid_argument where a theta is outside 0 .. 90 degrees (90 excluded), an
+    /// angle is not finite, or a list is empty.
     AngularGrid(std::vector<Direction> lights, std::vector<Direction> views);
 
     /// The same directions for lights and views.

@@ -31,13 +31,13 @@ AngularInterpolation::AngularInterpolation(std::vector<Direction> directions)
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return directions_[i].theta; });
     for (const std::size_t i : order) {
         const Radians theta = directions_[i].theta;
-        if (rings_.empty() || theta - rings_.back().theta > kSameAngle) rings_.push_back({theta, {}});
+        if (rings_.empty() || theta - rings_.back().theta > kSameAngle)
+            rings_.push_back({theta, {}});
         rings_.back().indices.push_back(i);
     }
     for (Ring& ring : rings_) {
-        std::ranges::stable_sort(ring.indices, {}, [&](std::size_t i) {
-            return wrappedAzimuth(directions_[i].phi);
-        });
+        std::ranges::stable_sort(ring.indices, {},
+                                 [&](std::size_t i) { return wrappedAzimuth(directions_[i].phi); });
     }
     // Fewer than three directions a ring on average: a scattered list.
     if (rings_.size() > 1 && rings_.size() * 3 > directions_.size()) rings_.clear();
@@ -69,12 +69,15 @@ void AngularInterpolation::addRing(const Ring& ring, Radians phi, double weight,
     // The last one at or before `wanted`, around the circle.
     std::size_t k = n - 1;
     for (std::size_t i = 0; i < n; ++i) {
-        if (wrappedAzimuth(directions_[ring.indices[i]].phi) <= wanted + kSameAngle) k = i;
-        else break;
+        if (wrappedAzimuth(directions_[ring.indices[i]].phi) <= wanted + kSameAngle)
+            k = i;
+        else
+            break;
     }
     const std::size_t before = ring.indices[k];
     const std::size_t after = ring.indices[(k + 1) % n];
-    const Radians toWanted = wrappedAzimuth(wanted - directions_[before].phi + kSameAngle) - kSameAngle;
+    const Radians toWanted =
+        wrappedAzimuth(wanted - directions_[before].phi + kSameAngle) - kSameAngle;
     Radians gap = wrappedAzimuth(directions_[after].phi - directions_[before].phi);
     if (gap <= 0) gap = 2 * kPi;
     const double t = toWanted <= kSameAngle ? 0 : std::min(1.0, toWanted / gap);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/angular_grid.h"
+
 #include <array>
 #include <cstddef>
 #include <vector>
-
-#include "abrdf/angular_grid.h"
 
 namespace abrdf {
 

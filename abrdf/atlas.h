@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "abrdf/angular_interpolation.h"
 #include "abrdf/atlas_header.h"
 #include "color/rgb.h"
+
+#include <vector>
 
 namespace abrdf {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/atlas_header.h"
 
+#include "color/known_space.h"
+
 #include <ImfChromaticitiesAttribute.h>
 #include <ImfFloatAttribute.h>
 #include <ImfFloatVectorAttribute.h>
@@ -13,8 +15,6 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
-
-#include "color/known_space.h"
 
 namespace abrdf {
 
@@ -62,9 +62,12 @@ const auto& valueOf(const Imf::Header& header, const char* name, const std::stri
 
 std::string nameOf(Cosine cosine) {
     switch (cosine) {
-        case Cosine::kKept: return "kept";
-        case Cosine::kDivided: return "divided";
-        case Cosine::kAbsent: return "absent";
+        case Cosine::kKept:
+            return "kept";
+        case Cosine::kDivided:
+            return "divided";
+        case Cosine::kAbsent:
+            return "absent";
     }
     return "kept";
 }
@@ -89,8 +92,8 @@ void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     using Imf::StringAttribute;
     header.insert("abrdf:version", IntAttribute(kAtlasVersion));
     header.insert("abrdf:layout", StringAttribute(nameOf(atlas.layout.kind)));
-    header.insert("abrdf:texels", Imf::V2iAttribute({atlas.layout.texelsWide,
-                                                     atlas.layout.texelsHigh}));
+    header.insert("abrdf:texels",
+                  Imf::V2iAttribute({atlas.layout.texelsWide, atlas.layout.texelsHigh}));
     header.insert("abrdf:lights",
                   Imf::FloatVectorAttribute(floatsFromDirections(atlas.grid.lights())));
     header.insert("abrdf:views",
@@ -154,10 +157,11 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
     atlas.colorSpace = text("abrdf:colorSpace");
     atlas.interopId = text("colorInteropID");
     const Imath::Box2i& window = header.dataWindow();
-    const bool fits = texels.x > 0 && texels.y > 0 && texels.x < (1 << 20) && texels.y < (1 << 20) &&
-                      std::int64_t{texels.x} * atlas.layout.views == std::int64_t{window.max.x} + 1 &&
-                      std::int64_t{texels.y} * atlas.layout.lights == std::int64_t{window.max.y} + 1 &&
-                      window.min == Imath::V2i(0, 0);
+    const bool fits =
+        texels.x > 0 && texels.y > 0 && texels.x < (1 << 20) && texels.y < (1 << 20) &&
+        std::int64_t{texels.x} * atlas.layout.views == std::int64_t{window.max.x} + 1 &&
+        std::int64_t{texels.y} * atlas.layout.lights == std::int64_t{window.max.y} + 1 &&
+        window.min == Imath::V2i(0, 0);
     if (!fits) {
         throw std::runtime_error(fmt::format(
             "{}: has a damaged header: {} x {} texels of {} lights and {} views are not its image "

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/angular_grid.h"
+#include "abrdf/atlas_layout.h"
+
 #include <ImfHeader.h>
 
 #include <cstdint>
 #include <string>
-
-#include "abrdf/angular_grid.h"
-#include "abrdf/atlas_layout.h"
 
 namespace abrdf {
 
@@ -22,8 +22,9 @@ Cosine cosineFromName(const std::string& name);
 struct ValueCounts {
     std::uint64_t clamped = 0;       ///< Below 0 after reconstruction, or above half's range: cut.
     std::uint64_t extrapolated = 0;  ///< At a theta past the largest measured one.
-    std::uint64_t nonfinite = 0;     ///< NaN, infinite or negative in the input, or made so on the way.
-    std::uint64_t missing = 0;       ///< Missing images that were interpolated on request.
+    std::uint64_t nonfinite =
+        0;                      ///< NaN, infinite or negative in the input, or made so on the way.
+    std::uint64_t missing = 0;  ///< Missing images that were interpolated on request.
 
     ValueCounts& operator+=(const ValueCounts& other);
 };

@@ -66,10 +66,10 @@ DemoCloth::Yarn DemoCloth::makeYarn(YarnFamily family) {
     fibres.tilt = isWarp ? 0.06 : 0.05;
     fibres.groove = 0.7F;
     fibres.lobes[0].strength = 1;
-    fibres.lobes[0].fresnel.normal = isWarp ? 0.06F : 0.045F;
-    fibres.lobes[0].fresnel.grazing = 0.7F;
-    fibres.lobes[0].roughnessX = isWarp ? 0.05F : 0.07F;
-    fibres.lobes[0].roughnessY = isWarp ? 0.13F : 0.18F;
+    fibres.lobes[0].fresnel.normal = isWarp ? 0.09F : 0.03F;
+    fibres.lobes[0].fresnel.grazing = isWarp ? 0.8F : 0.3F;
+    fibres.lobes[0].roughnessX = isWarp ? 0.05F : 0.12F;
+    fibres.lobes[0].roughnessY = isWarp ? 0.14F : 0.3F;
     sheen.facets.assign(2, fibres);
     sheen.facets[1].azimuth = kPi;
 

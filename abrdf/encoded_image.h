@@ -13,7 +13,8 @@ namespace abrdf {
 struct EncodedImage {
     int width = 0;
     int height = 0;
-    std::variant<std::vector<std::uint8_t>, std::vector<float>> rgb;  ///< 3 * width * height values.
+    std::variant<std::vector<std::uint8_t>, std::vector<float>>
+        rgb;  ///< 3 * width * height values.
 };
 
 }  // namespace abrdf

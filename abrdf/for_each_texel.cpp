@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/for_each_texel.h"
 
+#include "abrdf/cancel.h"
+
 #include <sched.h>
 
 #include <algorithm>
 #include <vector>
-
-#include "abrdf/cancel.h"
 
 // ThreadSanitizer cannot see into Debian's libtbb and reports false races there, so that build
 // runs the same blocks on plain threads.

@@ -7,7 +7,8 @@
 
 namespace abrdf {
 
-/// Bounds the threads of every loop below while it lives. threads: 1 .. ; one such object at a time.
+/// Bounds the threads of every loop below while it lives. threads: 1 .. ; one such object at a
+/// time.
 class ThreadLimit {
   public:
     explicit ThreadLimit(int threads);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "color/rgb.h"
+
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "color/rgb.h"
 
 namespace abrdf {
 

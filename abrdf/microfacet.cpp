@@ -12,8 +12,10 @@ using Imath::V3f;
 
 LocalPair::LocalPair(const V3f& localLight, const V3f& localView)
     : light(localLight), view(localView) {
+    // Light and view that are opposite, at grazing, have the normal between them.
     const V3f sum = light + view;
-    half = sum * (1 / std::sqrt(sum.dot(sum) + 1e-12F));
+    const float length2 = sum.dot(sum);
+    half = length2 > 1e-10F ? sum * (1 / std::sqrt(length2)) : V3f(0, 0, 1);
     cosLight = std::max(light.z, 1e-3F);
     cosView = std::max(view.z, 1e-3F);
     cosHalfToLight = std::clamp(light.dot(half), 0.0F, 1.0F);

@@ -33,7 +33,8 @@ void OutputFile::fail(const char* what) const {
 }
 
 void OutputFile::write(std::span<const char> bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot be written");
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
+        fail("cannot be written");
 }
 
 std::uint64_t OutputFile::position() const {
@@ -46,7 +47,8 @@ void OutputFile::seek(std::uint64_t position) {
 
 void OutputFile::commit() {
     // A full disk may show itself only here.
-    if (std::ferror(file_) != 0 || std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) fail("cannot be written");
+    if (std::ferror(file_) != 0 || std::fflush(file_) != 0 || fsync(fileno(file_)) != 0)
+        fail("cannot be written");
     std::FILE* file = file_;
     file_ = nullptr;
     if (std::fclose(file) != 0) fail("cannot be written");

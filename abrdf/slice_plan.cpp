@@ -15,8 +15,8 @@ std::vector<LightAndView> SlicePlan::samples() const {
     for (std::size_t s = 0; s < subspaceCount(); ++s) {
         for (int k = 0; k < axialCount; ++k) {
             const Radians phiLight = 2 * kPi * k / axialCount;
-            all.push_back({{thetaLight(s), phiLight},
-                           {thetaView(s), wrappedAzimuth(phiLight + alpha)}});
+            all.push_back(
+                {{thetaLight(s), phiLight}, {thetaView(s), wrappedAzimuth(phiLight + alpha)}});
         }
         for (int k = 0; k < diagonalCount; ++k) {
             const Radians phiView = 2 * kPi * k / diagonalCount;
@@ -52,8 +52,9 @@ SlicePlan slicePlanFromName(const std::string& name) {
 
 void checkPlan(const SlicePlan& plan) {
     if (plan.elevations.size() != 2) {
-        throw std::invalid_argument(fmt::format(
-            "the poster's plan needs two elevations, as 30,75; there are {}", plan.elevations.size()));
+        throw std::invalid_argument(
+            fmt::format("the poster's plan needs two elevations, as 30,75; there are {}",
+                        plan.elevations.size()));
     }
     for (const Radians theta : plan.elevations) {
         if (!(theta > 0 && theta < kPi / 2)) {
@@ -69,8 +70,8 @@ void checkPlan(const SlicePlan& plan) {
     }
     for (const int count : {plan.axialCount, plan.diagonalCount}) {
         if (count < 1 || count > 360) {
-            throw std::invalid_argument(fmt::format(
-                "{} samples in a slice are not possible: choose 1 to 360", count));
+            throw std::invalid_argument(
+                fmt::format("{} samples in a slice are not possible: choose 1 to 360", count));
         }
     }
     if (!std::isfinite(plan.alpha)) throw std::invalid_argument("alpha is not a number of degrees");

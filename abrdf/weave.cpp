@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kThickness = 0.34F;  // height of a yarn's crest over its axis, in pitches
 constexpr float kFullness = 0.94F;   // 1: the section's edge is vertical
-constexpr float kCrimp = 0.16F;      // how far a yarn dives on either end of a float
+constexpr float kCrimp = 0.12F;      // how far a yarn dives on either end of a float
 constexpr int kRepeat = 3;           // 2/1 twill: over two, under one, shifted by one each row
 
 /// x - floor(x / period) period, in 0 .. period.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "abrdf/output_file.h"
+#include "cli/command.h"
+
 #include <fmt/format.h>
 
 #include <iostream>
-
-#include "abrdf/output_file.h"
-#include "cli/command.h"
 
 namespace abrdf {
 
@@ -23,8 +23,9 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
 void addPlanOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--plan", options.plan, "which samples to take: poster[:N]")
         ->capture_default_str();
-    command.add_option("--elevations", options.elevations,
-                       "the slices' two elevations in degrees, as 30,75")
+    command
+        .add_option("--elevations", options.elevations,
+                    "the slices' two elevations in degrees, as 30,75")
         ->delimiter(',')
         ->expected(2);
     command.add_option("--alpha", options.alpha, "the slices' offset in degrees")

@@ -27,8 +27,9 @@ std::string textOf(const toml::node& node, const std::string& key, const std::st
         }
         return list;
     }
-    throw std::runtime_error(fmt::format("{}:{}: the key {} needs a text, a number or a list of them",
-                                         file, node.source().begin.line, key));
+    throw std::runtime_error(
+        fmt::format("{}:{}: the key {} needs a text, a number or a list of them", file,
+                    node.source().begin.line, key));
 }
 
 std::vector<std::string> optionsFromFile(const std::string& file) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/convert.h"
 
+#include "cli/command.h"
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
-
-#include "cli/command.h"
 
 namespace abrdf {
 
@@ -33,22 +33,25 @@ std::string planText(const nlohmann::ordered_json& r) {
     std::string text;
     for (const auto& file : r["images"]) text += file.get<std::string>() + "\n";
     constexpr double kMega = 1e6;
-    return text + fmt::format("{} images, {:.1f} MB to read, about {:.0f} MB of memory, {:.1f} MB of "
-                              "output before compression\n",
-                              r["images"].size(), r["estimate"]["bytes_read"].get<double>() / kMega,
-                              r["estimate"]["memory"].get<double>() / kMega,
-                              r["estimate"]["output_bytes_uncompressed"].get<double>() / kMega);
+    return text + fmt::format(
+                      "{} images, {:.1f} MB to read, about {:.0f} MB of memory, {:.1f} MB of "
+                      "output before compression\n",
+                      r["images"].size(), r["estimate"]["bytes_read"].get<double>() / kMega,
+                      r["estimate"]["memory"].get<double>() / kMega,
+                      r["estimate"]["output_bytes_uncompressed"].get<double>() / kMega);
 }
 
 void warnOfCounts(const nlohmann::ordered_json& counts) {
     if (counts["nonfinite"] != 0) {
-        spdlog::warn("{} NaN, infinite or negative values were kept out", counts["nonfinite"].dump());
+        spdlog::warn("{} NaN, infinite or negative values were kept out",
+                     counts["nonfinite"].dump());
     }
     if (counts["missing"] != 0) {
         spdlog::warn("{} missing images were interpolated", counts["missing"].dump());
     }
     if (counts["clamped"] != 0) {
-        spdlog::info("{} values were cut to the range that light can have", counts["clamped"].dump());
+        spdlog::info("{} values were cut to the range that light can have",
+                     counts["clamped"].dump());
     }
 }
 
@@ -86,16 +89,16 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
     addPlanOptions(*command, options->plan);
     command->add_option("-o,--output", job.output, "the atlas, an OpenEXR file")->required();
     command->add_option("--method", job.method, "see abrdf --list-methods")->capture_default_str();
-    command->add_option("--grid", job.grid,
-                        "input | ubo81 | dome151 | utia288 | regular:THETASxPHIS | a CSV of "
-                        "theta_deg,phi_deg")
+    command
+        ->add_option("--grid", job.grid,
+                     "input | ubo81 | dome151 | utia288 | regular:THETASxPHIS | a CSV of "
+                     "theta_deg,phi_deg")
         ->capture_default_str();
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();
     command->add_option("--layout", options->layout, "angular | spatial")->capture_default_str();
-    const std::map<std::string, PixelChoice> pixels = {{"auto", PixelChoice::kAuto},
-                                                       {"half", PixelChoice::kHalf},
-                                                       {"float", PixelChoice::kFloat}};
+    const std::map<std::string, PixelChoice> pixels = {
+        {"auto", PixelChoice::kAuto}, {"half", PixelChoice::kHalf}, {"float", PixelChoice::kFloat}};
     command->add_option("--pixel", job.pixel, "auto | half | float")
         ->transform(CLI::CheckedTransformer(pixels));
     command->add_option("--compression", options->compression, "none | zips | zip | piz")

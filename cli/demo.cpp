@@ -5,7 +5,8 @@
 namespace abrdf {
 
 void addDemo(CLI::App& app, RunCommand& runCommand) {
-    CLI::App* command = app.add_subcommand("demo", "a licence-free BTF database to try everything on");
+    CLI::App* command =
+        app.add_subcommand("demo", "a licence-free BTF database to try everything on");
     command->footer("Example: abrdf demo cloth.zip --size 64");
     struct Options {
         std::filesystem::path target;

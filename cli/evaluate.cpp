@@ -8,7 +8,8 @@ namespace abrdf {
 void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     CLI::App* command =
         app.add_subcommand("evaluate", "reconstructions against the full measurement");
-    command->footer("Example: abrdf evaluate corduroy.zip --method measured,published --sheet sheet.png");
+    command->footer(
+        "Example: abrdf evaluate corduroy.zip --method measured,published --sheet sheet.png");
     struct Options {
         EvaluateOptions job;
         PlanOptions plan;
@@ -22,7 +23,8 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
         ->capture_default_str();
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();
-    command->add_option("--exposure", options->job.exposure, "factor on the values, natural exposure")
+    command
+        ->add_option("--exposure", options->job.exposure, "factor on the values, natural exposure")
         ->capture_default_str();
     command->add_option("--sheet", options->job.sheet, "contact sheet, a PNG");
     command->callback([options, &runCommand] {

@@ -6,8 +6,8 @@
 namespace abrdf {
 
 void addInspect(CLI::App& app, RunCommand& runCommand) {
-    CLI::App* command =
-        app.add_subcommand("inspect", "what a database or an atlas is, what is missing or odd in it");
+    CLI::App* command = app.add_subcommand(
+        "inspect", "what a database or an atlas is, what is missing or odd in it");
     command->footer("Example: abrdf inspect corduroy.zip --json");
     auto path = std::make_shared<std::filesystem::path>();
     command->add_option("PATH", *path, "a database or an atlas")->required();

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "abrdf/cancel.h"
+#include "abrdf/for_each_texel.h"
+#include "abrdf/output_file.h"
+#include "cli/command.h"
+#include "cli/config_file.h"
+#include "cli/progress_display.h"
+#include "cli/suggestion.h"
+
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -7,14 +15,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-
-#include "abrdf/cancel.h"
-#include "abrdf/for_each_texel.h"
-#include "abrdf/output_file.h"
-#include "cli/command.h"
-#include "cli/config_file.h"
-#include "cli/progress_display.h"
-#include "cli/suggestion.h"
 
 namespace {
 
@@ -32,7 +32,8 @@ extern "C" void onSignal(int signal) {
 
 void logToStderr(const SharedOptions& shared) {
     auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>(
-        std::getenv("NO_COLOR") != nullptr ? spdlog::color_mode::never : spdlog::color_mode::automatic);
+        std::getenv("NO_COLOR") != nullptr ? spdlog::color_mode::never
+                                           : spdlog::color_mode::automatic);
     auto logger = std::make_shared<spdlog::logger>("abrdf", sink);
     logger->set_pattern("abrdf: %l: %v");
     logger->set_level(shared.quiet     ? spdlog::level::err
@@ -70,7 +71,8 @@ void addSharedOptions(CLI::App& app, SharedOptions& shared) {
     app.add_option("--threads", shared.threads,
                    "threads to use (else ABRDF_THREADS, CUE_THREADS, SLURM_CPUS_PER_TASK, all)")
         ->check(CLI::Range(1, 4096));
-    app.add_option("--progress", shared.progress, "auto | bar | plain | none")->capture_default_str();
+    app.add_option("--progress", shared.progress, "auto | bar | plain | none")
+        ->capture_default_str();
     app.add_option("--report", shared.report, "write a JSON report to this file");
     app.add_flag("--json", shared.json, "JSON on standard output instead of text");
     app.add_flag("-v,--verbose", shared.verbose, "say more");
@@ -81,8 +83,8 @@ void addSharedOptions(CLI::App& app, SharedOptions& shared) {
 int runChosen(const abrdf::RunCommand& run, SharedOptions& shared) {
     logToStderr(shared);
     shared.threads = chosenThreads(shared);
-    const auto style = shared.quiet ? abrdf::ProgressStyle::kNone
-                                    : abrdf::progressStyleFromName(shared.progress);
+    const auto style =
+        shared.quiet ? abrdf::ProgressStyle::kNone : abrdf::progressStyleFromName(shared.progress);
     if (!shared.report.empty()) abrdf::checkOutputPath(shared.report);
     // One arena, ours: the libraries' own threads would stand on its feet.
     OIIO::attribute("threads", 1);
@@ -123,7 +125,8 @@ int runProgram(std::vector<std::string> words) {
         return 0;
     }
     if (!run) {
-        std::cerr << "abrdf: which command? convert, inspect, evaluate or demo; abrdf --help says more\n";
+        std::cerr
+            << "abrdf: which command? convert, inspect, evaluate or demo; abrdf --help says more\n";
         return kWrongUsage;
     }
     return runChosen(run, shared);

@@ -78,7 +78,8 @@ ProgressStyle progressStyleFromName(const std::string& name) {
     if (name == "none") return ProgressStyle::kNone;
     if (name == "plain") return ProgressStyle::kPlain;
     if (name == "bar") return ProgressStyle::kBar;
-    if (name == "auto") return isatty(STDERR_FILENO) != 0 ? ProgressStyle::kBar : ProgressStyle::kPlain;
+    if (name == "auto")
+        return isatty(STDERR_FILENO) != 0 ? ProgressStyle::kBar : ProgressStyle::kPlain;
     throw std::invalid_argument(
         fmt::format("there is no progress '{}': use auto, bar, plain or none", name));
 }

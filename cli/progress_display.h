@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "abrdf/progress.h"
+
+#include <string>
 
 namespace abrdf {
 

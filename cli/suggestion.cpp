@@ -48,9 +48,8 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& word
         const std::string name = word.substr(0, word.find('='));
         if (commandChosen && !name.starts_with("--")) continue;
         if (std::ranges::find(names, name) != names.end()) continue;
-        const auto nearest = std::ranges::min_element(names, {}, [&](const std::string& known) {
-            return editDistance(name, known);
-        });
+        const auto nearest = std::ranges::min_element(
+            names, {}, [&](const std::string& known) { return editDistance(name, known); });
         if (editDistance(name, *nearest) <= 3) return "; did you mean " + *nearest + "?";
     }
     return {};

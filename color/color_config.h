@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "color/rgb.h"
+
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -8,8 +10,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "color/rgb.h"
 
 namespace abrdf {
 

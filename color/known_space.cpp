@@ -16,7 +16,9 @@ constexpr Primaries kP3D65 = {{0.680F, 0.320F}, {0.265F, 0.690F}, {0.150F, 0.060
 constexpr Primaries kRec2020 = {{0.708F, 0.292F}, {0.170F, 0.797F}, {0.131F, 0.046F}, kD65};
 constexpr Primaries kAp1 = {{0.713F, 0.293F}, {0.165F, 0.830F}, {0.128F, 0.044F}, kAcesWhite};
 constexpr Primaries kAp0 = {{0.7347F, 0.2653F}, {0.0F, 1.0F}, {0.0001F, -0.0770F}, kAcesWhite};
-constexpr Primaries kXyz = {{1.0F, 0.0F}, {0.0F, 1.0F}, {0.0F, 0.0F}, kD65};
+// OpenEXR's white is the xy of (1, 1, 1), whatever white the values were adapted to.
+constexpr std::array<float, 2> kEqualEnergy = {1.0F / 3, 1.0F / 3};
+constexpr Primaries kXyz = {{1.0F, 0.0F}, {0.0F, 1.0F}, {0.0F, 0.0F}, kEqualEnergy};
 
 struct Row {
     KnownSpace space;

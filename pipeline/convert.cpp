@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/convert.h"
 
-#include <fmt/format.h>
-
-#include <chrono>
-#include <stdexcept>
-
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "color/known_space.h"
 #include "stages/pack/pack_texels.h"
 #include "stages/slice/slice_texels.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
 
 namespace abrdf {
 
@@ -58,8 +58,9 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
     header.plan = job.method->wish == SampleWish::kEverything ? "all" : options.plan.name;
     header.samples = static_cast<int>(job.samples.count());
     header.source = description.source;
-    header.cosine = options.divideCosine && description.cosine == Cosine::kKept ? Cosine::kDivided
-                                                                                : description.cosine;
+    header.cosine = options.divideCosine && description.cosine == Cosine::kKept
+                        ? Cosine::kDivided
+                        : description.cosine;
     header.maxMeasuredTheta = description.grid.maxTheta();
     header.colorSpace = job.input.colors.spaceName(options.outputSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
@@ -73,8 +74,8 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
 Job prepare(const ConvertOptions& options) {
     checkOutputPath(options.output);
     if (fs::exists(options.output) && fs::equivalent(options.output, options.input.input)) {
-        throw std::runtime_error(fmt::format(
-            "{}: is the input as well; choose another output", options.output.string()));
+        throw std::runtime_error(fmt::format("{}: is the input as well; choose another output",
+                                             options.output.string()));
     }
     Job job;
     job.method = &methodFromName(options.method);
@@ -88,9 +89,9 @@ Job prepare(const ConvertOptions& options) {
     const std::int64_t width = std::int64_t{job.texels.width} * job.layout().views;
     const std::int64_t height = std::int64_t{job.texels.height} * job.layout().lights;
     if (width > (1 << 30) || height > (1 << 30)) {
-        throw std::invalid_argument(
-            fmt::format("an atlas of {} x {} pixels is too large; choose fewer texels or a smaller grid",
-                        width, height));
+        throw std::invalid_argument(fmt::format(
+            "an atlas of {} x {} pixels is too large; choose fewer texels or a smaller grid", width,
+            height));
     }
     return job;
 }
@@ -102,7 +103,8 @@ int rowsAtOnce(const Job& job, int tileHeight) {
     const std::uint64_t rowBytes =
         sizeof(Rgb) * job.grid.pairCount() * static_cast<std::uint64_t>(layout.texelsWide);
     const int rowsOfTile = tileHeight / layout.lights;
-    const auto tiles = static_cast<int>((std::uint64_t{64} << 20) / (rowBytes * static_cast<std::uint64_t>(rowsOfTile)));
+    const auto tiles = static_cast<int>((std::uint64_t{64} << 20) /
+                                        (rowBytes * static_cast<std::uint64_t>(rowsOfTile)));
     return std::min(layout.texelsHigh, rowsOfTile * std::max(1, tiles));
 }
 
@@ -117,9 +119,8 @@ struct Written {
 Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor& reconstructor,
                    const ConvertOptions& options, PixelType type, const ProgressSink& progress) {
     const AtlasLayout layout = job.layout();
-    const PackOptions pack{
-        job.input.colors.transform("scene_linear", options.outputSpace),
-        job.header.cosine == Cosine::kDivided};
+    const PackOptions pack{job.input.colors.transform("scene_linear", options.outputSpace),
+                           job.header.cosine == Cosine::kDivided};
     AtlasWriter writer(options.output, job.header, type, options.compression);
     Written written;
     written.counts = job.header.counts;
@@ -191,7 +192,8 @@ ordered_json planConvert(const ConvertOptions& options) {
     ordered_json report = reportOf(job, options);
     report["dry_run"] = true;
     std::vector<std::string> files;
-    for (const std::size_t pair : job.samples.pairs) files.push_back(job.input.reader->fileOf(pair));
+    for (const std::size_t pair : job.samples.pairs)
+        files.push_back(job.input.reader->fileOf(pair));
     report["estimate"] = {
         {"bytes_read", inputBytes},
         {"memory", (std::uint64_t{40} << 20) + sizeof(Rgb) * texels * job.samples.pairs.size() +
@@ -208,8 +210,8 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
     job.header.counts.nonfinite = read.leftOut;
     const double readSeconds = secondsSince(start);
 
-    const auto reconstructor = job.method->make(
-        {options.plan, job.samples, job.input.description().grid, job.grid});
+    const auto reconstructor =
+        job.method->make({options.plan, job.samples, job.input.description().grid, job.grid});
     PixelType type = options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
     Written written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
     if (!written.fits) {
@@ -227,9 +229,8 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
                       {"write", total - readSeconds - written.reconstructSeconds},
                       {"total", total}};
     report["peak_memory"] = peakMemory();
-    report["output"] = {{"path", options.output.string()},
-                        {"bytes", written.bytes},
-                        {"pixel", nameOf(type)}};
+    report["output"] = {
+        {"path", options.output.string()}, {"bytes", written.bytes}, {"pixel", nameOf(type)}};
     return report;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "abrdf/atlas_header.h"
 #include "pipeline/job.h"
 #include "stages/write/atlas_writer.h"
+
+#include <nlohmann/json.hpp>
 
 namespace abrdf {
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/evaluate.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <chrono>
-#include <stdexcept>
-
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "stages/measure/contact_sheet.h"
 #include "stages/measure/measures.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/slice/slice_texels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
 
 namespace abrdf {
 
@@ -32,10 +32,11 @@ Reference readReference(const OpenedInput& input, const EvaluateOptions& options
                         const ProgressSink& progress) {
     const BtfDescription& description = input.description();
     const Texels texels = resolvedTexels(options.texels, description);
-    const SampleSet everything =
-        samplesFor(methodFromName("measured"), options.plan, input);
+    const SampleSet everything = samplesFor(methodFromName("measured"), options.plan, input);
     ReadStack read = readStack(input, everything.pairs, texels, progress);
-    Reference reference{std::move(read.stack), {}, description.present,
+    Reference reference{std::move(read.stack),
+                        {},
+                        description.present,
                         input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)")};
     reference.truth =
         sliceTexels(reference.stack, everything, 0, reference.stack.texelCount()).samples;
@@ -64,8 +65,8 @@ double microsecondsPerAbrdf(const Reconstructor& reconstructor, std::span<const 
     std::vector<Rgb> abrdf(pairs);
     std::vector<double> times;
     const auto start = Clock::now();
-    while (times.size() < 5 || (Clock::now() - start < std::chrono::milliseconds(50) &&
-                                times.size() < 1000)) {
+    while (times.size() < 5 ||
+           (Clock::now() - start < std::chrono::milliseconds(50) && times.size() < 1000)) {
         const auto before = Clock::now();
         reconstructor.reconstruct(samples, abrdf);
         times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
@@ -75,7 +76,8 @@ double microsecondsPerAbrdf(const Reconstructor& reconstructor, std::span<const 
 }
 
 ordered_json jsonOf(const Measures& m) {
-    return {{"delta_e", m.deltaE}, {"delta_e_2000", m.deltaE2000}, {"rmse", m.rmse}, {"psnr", m.psnr}};
+    return {
+        {"delta_e", m.deltaE}, {"delta_e_2000", m.deltaE2000}, {"rmse", m.rmse}, {"psnr", m.psnr}};
 }
 
 ordered_json jsonOf(const Accuracy& accuracy) {
@@ -127,9 +129,8 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
     sheet.rows.push_back(
         {fmt::format("{}, plan {}, {} samples", name, result["plan"].get<std::string>(),
                      samples.count()),
-         fmt::format("Delta E {:.2f}   PSNR {:.1f} dB   {} images",
-                     result["delta_e"].get<double>(), result["psnr"].get<double>(),
-                     samples.pairs.size()),
+         fmt::format("Delta E {:.2f}   PSNR {:.1f} dB   {} images", result["delta_e"].get<double>(),
+                     result["psnr"].get<double>(), samples.pairs.size()),
          meanAbrdf(abrdfs)});
     return result;
 }

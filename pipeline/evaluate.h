@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "pipeline/job.h"
+
+#include <nlohmann/json.hpp>
 
 namespace abrdf {
 
@@ -13,8 +13,8 @@ struct EvaluateOptions {
     std::vector<std::string> methods = {"published"};
     SlicePlan plan;
     Texels texels;
-    double exposure = 1;           ///< Factor on the values for the natural exposure, > 0.
-    std::filesystem::path sheet;   ///< Contact sheet (PNG); empty: none.
+    double exposure = 1;          ///< Factor on the values for the natural exposure, > 0.
+    std::filesystem::path sheet;  ///< Contact sheet (PNG); empty: none.
 };
 
 /// Reads every image, runs the methods, measures. Returns the report of interface.md; the sheet

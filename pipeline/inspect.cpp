@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/inspect.h"
 
+#include "abrdf/for_each_texel.h"
+#include "pipeline/job.h"
+#include "stages/read/atlas_reader.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <limits>
 #include <set>
-
-#include "abrdf/for_each_texel.h"
-#include "pipeline/job.h"
-#include "stages/read/atlas_reader.h"
 
 namespace abrdf {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
+#include "abrdf/progress.h"
+
 #include <nlohmann/json.hpp>
 
-#include "abrdf/progress.h"
+#include <filesystem>
 
 namespace abrdf {
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/job.h"
 
+#include "abrdf/for_each_texel.h"
+#include "stages/average/average_image.h"
+#include "stages/slice/choose_samples.h"
+
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -9,10 +13,6 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
-
-#include "abrdf/for_each_texel.h"
-#include "stages/average/average_image.h"
-#include "stages/slice/choose_samples.h"
 
 namespace abrdf {
 
@@ -35,8 +35,8 @@ namespace {
 /// The slices can be interpolated between measured elevations only.
 void checkElevations(const SlicePlan& plan, const OpenedInput& input) {
     const auto check = [&](const std::vector<Direction>& directions, const char* what) {
-        const auto [least, greatest] = std::ranges::minmax(
-            directions, {}, [](const Direction& d) { return d.theta; });
+        const auto [least, greatest] =
+            std::ranges::minmax(directions, {}, [](const Direction& d) { return d.theta; });
         for (const Radians theta : plan.elevations) {
             constexpr Radians kRounding = radiansFromDegrees(0.1);
             if (theta >= least.theta - kRounding && theta <= greatest.theta + kRounding) continue;
@@ -65,13 +65,13 @@ Texels texelsFromName(const std::string& name) {
             return texels;
         }
     }
-    throw std::invalid_argument(
-        fmt::format("the texels '{}' are not understood: write WxH, as 1x1 or 64x64, or full", name));
+    throw std::invalid_argument(fmt::format(
+        "the texels '{}' are not understood: write WxH, as 1x1 or 64x64, or full", name));
 }
 
 OpenedInput openInput(const InputOptions& options) {
-    OpenedInput input{openBtf(options.input), ColorConfig::load(options.colorConfig), {},
-                      options.missing};
+    OpenedInput input{
+        openBtf(options.input), ColorConfig::load(options.colorConfig), {}, options.missing};
     const BtfDescription& description = input.description();
     if (!description.duplicates.empty()) {
         throw std::runtime_error(fmt::format(
@@ -79,8 +79,8 @@ OpenedInput openInput(const InputOptions& options) {
             "first: {}; remove one of each",
             options.input.string(), description.duplicates.size(), description.duplicates[0]));
     }
-    input.inputSpace = input.colors.spaceName(
-        options.inputSpace.empty() ? description.colorSpace : options.inputSpace);
+    input.inputSpace = input.colors.spaceName(options.inputSpace.empty() ? description.colorSpace
+                                                                         : options.inputSpace);
     return input;
 }
 

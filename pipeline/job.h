@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "abrdf/image_stack.h"
 #include "abrdf/progress.h"
 #include "abrdf/sample_set.h"
@@ -13,6 +8,11 @@
 #include "color/color_config.h"
 #include "stages/read/btf_reader.h"
 #include "stages/reconstruct/reconstructor.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
 
 namespace abrdf {
 
@@ -48,8 +48,8 @@ struct OpenedInput {
     const BtfDescription& description() const { return reader->description(); }
 };
 
-/// Throws std::runtime_error for anything that cannot be used: no database, two images for a pair, a
-/// colour space that the config lacks.
+/// Throws std::runtime_error for anything that cannot be used: no database, two images for a pair,
+/// a colour space that the config lacks.
 OpenedInput openInput(const InputOptions& options);
 
 /// Replaces 0 x 0 by the images' size; throws std::invalid_argument for more texels than pixels.

@@ -85,7 +85,8 @@ void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::sp
     const std::uint8_t* codes = std::get<std::vector<std::uint8_t>>(image.rgb).data() + 3 * first;
     if (!table_.empty()) {
         for (std::size_t i = 0; i < row.size(); ++i) {
-            row[i] = {table_[codes[3 * i]].r, table_[codes[3 * i + 1]].g, table_[codes[3 * i + 2]].b};
+            row[i] = {table_[codes[3 * i]].r, table_[codes[3 * i + 1]].g,
+                      table_[codes[3 * i + 2]].b};
         }
         return;
     }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/encoded_image.h"
+#include "color/color_config.h"
+#include "color/rgb.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "abrdf/encoded_image.h"
-#include "color/color_config.h"
-#include "color/rgb.h"
 
 namespace abrdf {
 

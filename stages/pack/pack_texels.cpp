@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/pack/pack_texels.h"
 
+#include "abrdf/for_each_texel.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "abrdf/for_each_texel.h"
 
 namespace abrdf {
 
@@ -18,7 +18,8 @@ void finishTexels(AbrdfTile& abrdfs, const AngularGrid& grid, const PackOptions&
     forEachTexelBlock(abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {
         const std::span<Rgb> abrdf = abrdfs[texel];
         if (options.divideCosine) {
-            for (std::size_t pair = 0; pair < abrdf.size(); ++pair) abrdf[pair] *= factors[pair / views];
+            for (std::size_t pair = 0; pair < abrdf.size(); ++pair)
+                abrdf[pair] *= factors[pair / views];
         }
         if (!options.toOutputSpace.isIdentity()) options.toOutputSpace.apply(abrdf);
     });
@@ -35,9 +36,9 @@ AtlasBlock packAngular(const AbrdfTile& abrdfs, const AtlasLayout& layout, int f
         const std::size_t x = (texel % texelsWide) * views;
         const std::size_t y = (texel / texelsWide) * lights;
         for (std::size_t light = 0; light < lights; ++light) {
-            std::ranges::copy(abrdfs[texel].subspan(light * views, views),
-                              block.pixels.begin() +
-                                  static_cast<std::ptrdiff_t>((y + light) * width + x));
+            std::ranges::copy(
+                abrdfs[texel].subspan(light * views, views),
+                block.pixels.begin() + static_cast<std::ptrdiff_t>((y + light) * width + x));
         }
     });
     return block;

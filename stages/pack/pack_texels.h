@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "abrdf/abrdf_tile.h"
 #include "abrdf/angular_grid.h"
 #include "abrdf/atlas_layout.h"
 #include "color/color_config.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace abrdf {
 

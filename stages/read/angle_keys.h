@@ -16,8 +16,8 @@ struct AngleKeys {
 };
 
 /// Finds the four keys in any order, each followed by its number, as in
-/// "tv015_pv060/00123 tl030 pl090 tv015 pv060.jpg". The last one of a kind counts, so that the file's
-/// own name is stronger than its folder's. Nothing where one of the four is absent.
+/// "tv015_pv060/00123 tl030 pl090 tv015 pv060.jpg". The last one of a kind counts, so that the
+/// file's own name is stronger than its folder's. Nothing where one of the four is absent.
 std::optional<AngleKeys> angleKeysFromName(std::string_view path);
 
 }  // namespace abrdf

@@ -20,8 +20,8 @@ auto readExr(const std::filesystem::path& path, Read read) {
         Imf::InputFile file(path.c_str(), 0);
         return read(file);
     } catch (const Iex::BaseExc& error) {
-        throw std::runtime_error(fmt::format("{}: cannot be read as OpenEXR: {}", path.string(),
-                                             error.what()));
+        throw std::runtime_error(
+            fmt::format("{}: cannot be read as OpenEXR: {}", path.string(), error.what()));
     }
 }
 
@@ -50,8 +50,8 @@ Atlas readAtlas(const std::filesystem::path& path) {
         std::size_t offset = 0;
         for (const char* channel : {"R", "G", "B"}) {
             if (file.header().channels().findChannel(channel) == nullptr) {
-                throw std::runtime_error(fmt::format("{}: is damaged: it has no channel {}",
-                                                     path.string(), channel));
+                throw std::runtime_error(
+                    fmt::format("{}: is damaged: it has no channel {}", path.string(), channel));
             }
             buffer.insert(channel,
                           Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()) + offset,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
-
 #include "abrdf/atlas.h"
+
+#include <filesystem>
 
 namespace abrdf {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/angular_grid.h"
+#include "abrdf/atlas_header.h"
+#include "abrdf/encoded_image.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "abrdf/angular_grid.h"
-#include "abrdf/atlas_header.h"
-#include "abrdf/encoded_image.h"
 
 namespace abrdf {
 
@@ -22,7 +22,8 @@ struct BtfDescription {
     std::vector<std::string> duplicates;  ///< Sentences: which files stand for one pair.
     int width = 0;                        ///< Of every image, pixels.
     int height = 0;
-    std::string colorSpace;  ///< OpenColorIO name of the values as stored, by the format's convention.
+    std::string
+        colorSpace;  ///< OpenColorIO name of the values as stored, by the format's convention.
     Cosine cosine = Cosine::kKept;
 
     std::size_t imageCount() const;

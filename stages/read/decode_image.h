@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/encoded_image.h"
+
 #include <span>
 #include <string>
-
-#include "abrdf/encoded_image.h"
 
 namespace abrdf {
 

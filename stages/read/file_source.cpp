@@ -47,8 +47,8 @@ std::vector<char> readFile(const fs::path& path) {
     }
     const std::uint64_t size = fs::file_size(path);
     if (size > kMaxFileSize) {
-        throw std::runtime_error(fmt::format("{}: is too large for an image: {} bytes",
-                                             path.string(), size));
+        throw std::runtime_error(
+            fmt::format("{}: is too large for an image: {} bytes", path.string(), size));
     }
     std::vector<char> bytes(size);
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) {
@@ -101,7 +101,8 @@ FileSource::FileSource(const fs::path& path) : path_(path) {
     const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
     for (zip_uint64_t i = 0; i < static_cast<zip_uint64_t>(count); ++i) {
         const char* name = zip_get_name(archive.get(), i, 0);
-        if (name != nullptr && !std::string_view(name).ends_with('/')) entries.emplace_back(name, i);
+        if (name != nullptr && !std::string_view(name).ends_with('/'))
+            entries.emplace_back(name, i);
     }
     std::ranges::sort(entries);
     for (auto& [name, entry] : entries) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "stages/read/btf_reader.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-
-#include "stages/read/btf_reader.h"
 
 namespace abrdf {
 
@@ -50,10 +50,11 @@ std::unique_ptr<BtfReader> openBtf(const fs::path& path) {
     }
     std::string names;
     for (const Format& format : kFormats) names += fmt::format(" {}", format.name);
-    throw std::runtime_error(fmt::format(
-        "{}: is not a database that abrdf reads; it reads folders and .zip files of images named by "
-        "their angles, as 'tl030 pl090 tv015 pv060.jpg', and knows these formats:{}",
-        path.string(), names));
+    throw std::runtime_error(
+        fmt::format("{}: is not a database that abrdf reads; it reads folders and .zip files of "
+                    "images named by "
+                    "their angles, as 'tl030 pl090 tv015 pv060.jpg', and knows these formats:{}",
+                    path.string(), names));
 }
 
 }  // namespace abrdf

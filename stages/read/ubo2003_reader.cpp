@@ -2,16 +2,16 @@
 //
 // UBO2003 (University of Bonn): a folder or zip of tvTTT_pvPPP/NNNNN tlTTT plPPP tvTTT pvPPP.jpg,
 // 81 lights x 81 views, rectified photographs in sRGB, the cosine of theta_i in the values.
+#include "stages/read/angle_keys.h"
+#include "stages/read/btf_reader.h"
+#include "stages/read/decode_image.h"
+#include "stages/read/file_source.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-
-#include "stages/read/angle_keys.h"
-#include "stages/read/btf_reader.h"
-#include "stages/read/decode_image.h"
-#include "stages/read/file_source.h"
 
 namespace abrdf {
 
@@ -91,9 +91,8 @@ class Ubo2003Reader : public BtfReader {
             const std::string& name = files_.names()[file];
             const auto keys = angleKeysFromName(name);
             if (!keys || !isImageName(name)) continue;
-            const LightAndView pair = {
-                checkedDirection(keys->tl, keys->pl, files_.fullName(file)),
-                checkedDirection(keys->tv, keys->pv, files_.fullName(file))};
+            const LightAndView pair = {checkedDirection(keys->tl, keys->pl, files_.fullName(file)),
+                                       checkedDirection(keys->tv, keys->pv, files_.fullName(file))};
             photographs.push_back({file, pair});
             lights.emplace(pair.light, 0);
             views.emplace(pair.view, 0);
@@ -110,8 +109,8 @@ class Ubo2003Reader : public BtfReader {
         description_.present.assign(description_.grid.pairCount(), 0);
         fileOfPair_.assign(description_.grid.pairCount(), 0);
         for (const Photograph& photograph : photographs) {
-            const std::size_t pair = description_.grid.pairIndex(
-                lights.at(photograph.pair.light), views.at(photograph.pair.view));
+            const std::size_t pair = description_.grid.pairIndex(lights.at(photograph.pair.light),
+                                                                 views.at(photograph.pair.view));
             if (description_.present[pair] != 0) {
                 description_.duplicates.push_back(fmt::format("{} and {}",
                                                               files_.names()[fileOfPair_[pair]],

@@ -2,9 +2,9 @@
 //
 // `measured`: no reconstruction. On the database's own grid its values as they are, on another
 // one their interpolation along the rings.
-#include <algorithm>
-
 #include "stages/reconstruct/reconstructor.h"
+
+#include <algorithm>
 
 namespace abrdf {
 
@@ -41,7 +41,8 @@ class Measured : public Reconstructor {
     }
 
   private:
-    std::vector<std::vector<WeightedPair>> weights_;  ///< Of each output pair; empty: the same grid.
+    std::vector<std::vector<WeightedPair>>
+        weights_;  ///< Of each output pair; empty: the same grid.
 };
 
 }  // namespace

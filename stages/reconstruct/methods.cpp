@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "stages/reconstruct/reconstructor.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-
-#include "stages/reconstruct/reconstructor.h"
 
 namespace abrdf {
 
@@ -34,7 +34,8 @@ const Method& methodFromName(const std::string& name) {
     if (found != kMethods.end()) return *found;
     std::string names;
     for (const Method& method : kMethods) names += fmt::format(" {}", method.name);
-    throw std::invalid_argument(fmt::format("there is no method '{}'; the methods are:{}", name, names));
+    throw std::invalid_argument(
+        fmt::format("there is no method '{}'; the methods are:{}", name, names));
 }
 
 }  // namespace abrdf

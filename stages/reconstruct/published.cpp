@@ -3,13 +3,13 @@
 // `published`: J. Filip, "Restoring illumination and view dependent data from sparse samples".
 // Each subspace (theta_i, theta_v) is the sum of its axial and its diagonal slice, scaled to their
 // range; subspaces that were not measured are interpolated by radial basis functions.
+#include "stages/reconstruct/rbf_weights.h"
+#include "stages/reconstruct/reconstructor.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-
-#include "stages/reconstruct/rbf_weights.h"
-#include "stages/reconstruct/reconstructor.h"
 
 namespace abrdf {
 
@@ -141,8 +141,8 @@ class Published : public Reconstructor {
 
     Slices slicesOf(std::span<const Rgb> samples, std::size_t subspace) const {
         const auto axialCount = static_cast<std::size_t>(plan_.axialCount);
-        const auto own = samples.subspan(subspace * plan_.samplesPerSubspace(),
-                                         plan_.samplesPerSubspace());
+        const auto own =
+            samples.subspan(subspace * plan_.samplesPerSubspace(), plan_.samplesPerSubspace());
         return {own.first(axialCount), own.subspan(axialCount)};
     }
 
@@ -166,13 +166,14 @@ class Published : public Reconstructor {
         std::map<std::pair<Radians, Radians>, std::size_t> groupOf;
         for (std::size_t pair = 0; pair < grid.pairCount(); ++pair) {
             const LightAndView target = grid.pair(pair);
-            const auto [group, isNew] = groupOf.try_emplace(
-                {target.light.theta, target.view.theta}, groups_.size());
+            const auto [group, isNew] =
+                groupOf.try_emplace({target.light.theta, target.view.theta}, groups_.size());
             if (isNew) {
                 const Eigen::VectorXd weights = rbf.at({target.light.theta, target.view.theta});
                 ElevationPair elevations;
                 for (std::size_t s = 0; s < kSubspaces; ++s) {
-                    elevations.weights[s] = static_cast<float>(weights(static_cast<Eigen::Index>(s)));
+                    elevations.weights[s] =
+                        static_cast<float>(weights(static_cast<Eigen::Index>(s)));
                 }
                 groups_.push_back(elevations);
             }

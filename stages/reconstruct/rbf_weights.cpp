@@ -2,6 +2,7 @@
 #include "stages/reconstruct/rbf_weights.h"
 
 #include <Eigen/LU>
+
 #include <cmath>
 #include <stdexcept>
 

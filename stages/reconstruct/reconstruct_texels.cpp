@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <atomic>
-
 #include "abrdf/for_each_texel.h"
 #include "stages/reconstruct/reconstructor.h"
+
+#include <atomic>
 
 namespace abrdf {
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/abrdf_tile.h"
+#include "abrdf/sample_set.h"
+#include "abrdf/slice_plan.h"
+
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "abrdf/abrdf_tile.h"
-#include "abrdf/sample_set.h"
-#include "abrdf/slice_plan.h"
-
 namespace abrdf {
 
 /// What a method is built from.
 struct ReconstructionTask {
     SlicePlan plan;
-    SampleSet samples;    ///< In the form the method wished for, of this plan.
-    AngularGrid input;    ///< The database's grid.
-    AngularGrid output;   ///< The atlas's grid.
+    SampleSet samples;   ///< In the form the method wished for, of this plan.
+    AngularGrid input;   ///< The database's grid.
+    AngularGrid output;  ///< The atlas's grid.
 };
 
 /// Fills in the pairs that were not measured. Built once a job, then used from any thread.

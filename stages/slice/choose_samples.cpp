@@ -40,7 +40,8 @@ std::vector<WeightedPair> neighbours(std::size_t pair, const AngularGrid& grid,
             found.emplace_back(squaredDistance(grid.pair(pair), grid.pair(other)), other);
         }
     }
-    if (found.empty()) throw std::runtime_error("no image is left to interpolate missing ones from");
+    if (found.empty())
+        throw std::runtime_error("no image is left to interpolate missing ones from");
     const std::size_t count = std::min<std::size_t>(4, found.size());
     std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(count));
     found.resize(count);
@@ -59,7 +60,8 @@ std::vector<WeightedPair> neighbours(std::size_t pair, const AngularGrid& grid,
 SampleSet chooseSamples(const SlicePlan& plan, const AngularGrid& grid, SampleWish wish) {
     SampleSet set;
     if (wish == SampleWish::kEverything) {
-        for (std::size_t pair = 0; pair < grid.pairCount(); ++pair) addMeasuredPair(set, grid, pair);
+        for (std::size_t pair = 0; pair < grid.pairCount(); ++pair)
+            addMeasuredPair(set, grid, pair);
     } else if (wish == SampleWish::kSlices) {
         const AngularInterpolation lights(grid.lights());
         const AngularInterpolation views(grid.views());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "abrdf/sample_set.h"
 #include "abrdf/slice_plan.h"
+
+#include <cstdint>
+#include <span>
 
 namespace abrdf {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/slice/slice_texels.h"
 
+#include "abrdf/for_each_texel.h"
+
 #include <algorithm>
 #include <atomic>
 #include <vector>
-
-#include "abrdf/for_each_texel.h"
 
 namespace abrdf {
 
@@ -22,8 +22,8 @@ std::vector<std::vector<Term>> termsInStack(const ImageStack& stack, const Sampl
     for (std::size_t k = 0; k < set.count(); ++k) {
         for (const WeightedPair& source : set.sources[k]) {
             const auto place = std::ranges::lower_bound(stack.pairs(), source.pair);
-            terms[k].push_back({static_cast<std::size_t>(place - stack.pairs().begin()),
-                                source.weight});
+            terms[k].push_back(
+                {static_cast<std::size_t>(place - stack.pairs().begin()), source.weight});
         }
     }
     return terms;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
 #include "abrdf/abrdf_tile.h"
 #include "abrdf/image_stack.h"
 #include "abrdf/sample_set.h"
+
+#include <cstdint>
 
 namespace abrdf {
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/write/atlas_writer.h"
 
+#include "abrdf/for_each_texel.h"
+#include "stages/write/exr_stream.h"
+
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -13,9 +16,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "abrdf/for_each_texel.h"
-#include "stages/write/exr_stream.h"
-
 namespace abrdf {
 
 namespace {
@@ -24,10 +24,14 @@ constexpr float kLargestHalf = 65504;
 
 Imf::Compression exrCompression(Compression compression) {
     switch (compression) {
-        case Compression::kNone: return Imf::NO_COMPRESSION;
-        case Compression::kZips: return Imf::ZIPS_COMPRESSION;
-        case Compression::kZip: return Imf::ZIP_COMPRESSION;
-        case Compression::kPiz: return Imf::PIZ_COMPRESSION;
+        case Compression::kNone:
+            return Imf::NO_COMPRESSION;
+        case Compression::kZips:
+            return Imf::ZIPS_COMPRESSION;
+        case Compression::kZip:
+            return Imf::ZIP_COMPRESSION;
+        case Compression::kPiz:
+            return Imf::PIZ_COMPRESSION;
     }
     return Imf::ZIP_COMPRESSION;
 }
@@ -122,7 +126,7 @@ struct AtlasWriter::File {
         output->setFrameBuffer(buffer);
         const int height = static_cast<int>(output->tileYSize());
         output->writeTiles(0, output->numXTiles(0) - 1, firstRow / height,
-                          (firstRow + rows - 1) / height);
+                           (firstRow + rows - 1) / height);
     }
 };
 
@@ -140,7 +144,8 @@ std::uint64_t AtlasWriter::writeRows(int firstRow, int rows, std::span<const Rgb
     std::uint64_t cut = 0;
     if (file_->type == PixelType::kHalf) {
         const std::vector<half> halfs = halfPixels(pixels, cut);
-        file_->writeTiles(firstRow, rows, reinterpret_cast<const char*>(halfs.data()), sizeof(half));
+        file_->writeTiles(firstRow, rows, reinterpret_cast<const char*>(halfs.data()),
+                          sizeof(half));
     } else {
         file_->writeTiles(firstRow, rows, reinterpret_cast<const char*>(pixels.data()),
                           sizeof(float));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/atlas_header.h"
+#include "color/rgb.h"
+
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
-
-#include "abrdf/atlas_header.h"
-#include "color/rgb.h"
 
 namespace abrdf {
 

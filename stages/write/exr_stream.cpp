@@ -13,8 +13,7 @@ constexpr std::size_t kMaxHead = std::size_t{1} << 20;
 
 }  // namespace
 
-ExrStream::ExrStream(const std::filesystem::path& path)
-    : Imf::OStream(path.c_str()), file_(path) {}
+ExrStream::ExrStream(const std::filesystem::path& path) : Imf::OStream(path.c_str()), file_(path) {}
 
 void ExrStream::write(const char bytes[], int count) {
     const std::uint64_t position = file_.position();
@@ -26,7 +25,8 @@ void ExrStream::write(const char bytes[], int count) {
 
 void ExrStream::patchInt(std::string_view attribute, int value) {
     // An attribute is: name \0 type \0 size(4) value.
-    const std::string key = std::string(attribute) + '\0' + "int" + '\0' + '\4' + '\0' + '\0' + '\0';
+    const std::string key =
+        std::string(attribute) + '\0' + "int" + '\0' + '\4' + '\0' + '\0' + '\0';
     const std::size_t found = head_.find(key);
     if (found == std::string::npos) {
         throw std::logic_error("the EXR header lacks the attribute " + std::string(attribute));

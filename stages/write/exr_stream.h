@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/output_file.h"
+
 #include <ImfIO.h>
 
 #include <string>
 #include <string_view>
-
-#include "abrdf/output_file.h"
 
 namespace abrdf {
 

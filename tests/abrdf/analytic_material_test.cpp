@@ -226,7 +226,11 @@ TEST_SUITE("unit") {
         material.facets[1].tilt = 0.5;
         material.facets[1].azimuth = 2;
         material.facets[1].groove = 0.6F;
-        material.field = {{{1, 0.5F, 0}, {0, 2, 1}, 0.3F, 1, 0.2F}};
+        CosineWave wave;
+        wave.light = {1, 0.5F, 0};
+        wave.view = {0, 2, 1};
+        wave.amplitude = 0.2F;
+        material.field.push_back(wave);
         const float still = evaluate(material, unit(35, 100), unit(55, 250));
         material.azimuth = radiansFromDegrees(40);
         CHECK(evaluate(material, unit(35, 140), unit(55, 290)) ==

@@ -59,17 +59,10 @@ std::string acesReferenceConfig(const std::string& textureName) {
            "roles: {default: Linear, scene_linear: Linear}\n"
            "file_rules: [!<Rule> {name: Default, colorspace: default}]\n"
            "displays: {D: [!<View> {name: V, colorspace: Linear}]}\n"
-           "colorspaces:\n"
-           "  - !<ColorSpace>\n"
-           "    name: Linear\n"
+           "colorspaces:\n  - !<ColorSpace>\n    name: Linear\n"
            "    to_scene_reference: !<BuiltinTransform> " +
-           toRec709 +
-           "\n"
-           "  - !<ColorSpace>\n"
-           "    name: " +
-           textureName +
-           "\n"
-           "    to_scene_reference: !<GroupTransform>\n"
+           toRec709 + "\n  - !<ColorSpace>\n    name: " + textureName +
+           "\n    to_scene_reference: !<GroupTransform>\n"
            "      children:\n"
            "        - !<ExponentWithLinearTransform> {gamma: 2.4, offset: 0.055}\n"
            "        - !<BuiltinTransform> " +
@@ -186,6 +179,7 @@ TEST_SUITE("unit") {
         };
         CHECK(has(ask("ACEScq"), "The colour config 'shipped' has no colour space 'ACEScq'."));
         CHECK(before(ask("ACEScq"), "Did you mean 'ACEScg'", "It has: '"));
+        CHECK(before(ask("acesgc"), "Did you mean 'ACEScg'", "It has: '"));
         CHECK(before(ask("lin_rec790"), "'lin_rec709'", "It has: '"));
         CHECK(before(ask("Linear Rec2021"), "'Linear Rec.2020'", "It has: '"));
         CHECK(before(ask("scene_liner"), "'scene_linear'", "It has: '"));

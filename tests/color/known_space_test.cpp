@@ -59,12 +59,16 @@ TEST_SUITE("unit") {
         CHECK(interopId(KnownSpace::kSrgbTexture) == "srgb_rec709_scene");
     }
 
-    TEST_CASE("ACES spaces are white at the ACES white, all others at D65") {
+    TEST_CASE("ACES spaces are white at the ACES white, XYZ at equal energy, all others at D65") {
         for (const KnownSpace space : kSpaces) {
             const bool aces = space == KnownSpace::kAcesCg || space == KnownSpace::kAces2065;
             const std::array<float, 2> d65 = {0.3127F, 0.3290F};
             const std::array<float, 2> acesWhite = {0.32168F, 0.33767F};
-            CHECK(primaries(space).white == (aces ? acesWhite : d65));
+            const std::array<float, 2> equalEnergy = {1.0F / 3, 1.0F / 3};
+            const auto& white = space == KnownSpace::kCieXyzD65 ? equalEnergy
+                                : aces                          ? acesWhite
+                                                                : d65;
+            CHECK(primaries(space).white == white);
         }
     }
 }

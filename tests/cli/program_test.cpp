@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/read/atlas_reader.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace abrdf;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder with a small demo database in it, made by the program itself once a run.
+const fs::path& demoZip() {
+    static const TemporaryFolder folder;
+    static const fs::path zip = [] {
+        const ProgramRun run = runProgram(folder.path(), "demo cloth.zip --size 4 -q");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        return folder.path() / "cloth.zip";
+    }();
+    return zip;
+}
+
+std::vector<std::string> filesIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("cli");
+
+TEST_CASE("help is an answer, not a fault, for the program and for each command") {
+    const TemporaryFolder folder;
+    for (const char* command : {"", "convert", "inspect", "evaluate", "demo"}) {
+        const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
+        CHECK(run.status == 0);
+        CHECK(contains(run.out, "Usage"));
+        CHECK(run.err.empty());
+    }
+    CHECK(runProgram(folder.path(), "--version").status == 0);
+    const ProgramRun methods = runProgram(folder.path(), "--list-methods");
+    CHECK(methods.status == 0);
+    CHECK(contains(methods.out, "published"));
+}
+
+TEST_CASE("wrong usage is short, names the nearest right word, and exits with 2") {
+    const TemporaryFolder folder;
+    const ProgramRun option = runProgram(folder.path(), "convert a.zip -o b.exr --metod measured");
+    CHECK(option.status == 2);
+    CHECK(contains(option.err, "did you mean --method?"));
+    CHECK(std::ranges::count(option.err, '\n') == 1);
+    const ProgramRun command = runProgram(folder.path(), "convrt");
+    CHECK(command.status == 2);
+    CHECK(contains(command.err, "did you mean convert?"));
+    CHECK(runProgram(folder.path(), "").status == 2);
+    CHECK(runProgram(folder.path(), "convert a.zip").status == 2);
+    const ProgramRun method = runProgram(folder.path(), "convert a.zip -o b.exr --method magic");
+    CHECK(method.status == 2);
+    CHECK(contains(method.err, "published"));
+    CHECK(runProgram(folder.path(), "convert a.zip -o b.exr --texels 0x4").status == 2);
+    CHECK(runProgram(folder.path(), "convert a.zip -o b.exr --elevations 30,30").status == 2);
+    CHECK(runProgram(folder.path(), "convert a.zip -o b.exr", "ABRDF_THREADS=many").status == 2);
+}
+
+TEST_CASE("a fault of the world is one sentence with the file's name, and exits with 1") {
+    const TemporaryFolder folder;
+    const ProgramRun absent = runProgram(folder.path(), "convert nothing.zip -o b.exr");
+    CHECK(absent.status == 1);
+    CHECK(contains(absent.err, "nothing.zip"));
+    std::ofstream(folder.path() / "text.zip") << "no archive";
+    const ProgramRun text = runProgram(folder.path(), "inspect text.zip");
+    CHECK(text.status == 1);
+    CHECK(contains(text.err, "text.zip: is not a database"));
+    const ProgramRun noFolder =
+        runProgram(folder.path(), "convert '" + demoZip().string() + "' -o no/such/b.exr");
+    CHECK(noFolder.status == 1);
+    CHECK(contains(noFolder.err, "does not exist"));
+    const ProgramRun space = runProgram(
+        folder.path(), "convert '" + demoZip().string() + "' -o b.exr --input-space nonsense");
+    CHECK(space.status == 1);
+    CHECK(contains(space.err, "ACEScg"));
+    const ProgramRun config = runProgram(
+        folder.path(), "convert '" + demoZip().string() + "' -o b.exr", "OCIO=/no/config.ocio");
+    CHECK(config.status == 1);
+    CHECK(contains(config.err, "/no/config.ocio"));
+    CHECK(filesIn(folder.path()) == std::vector<std::string>{"text.zip"});
+}
+
+TEST_CASE("convert, inspect and evaluate agree about one database") {
+    const TemporaryFolder folder;
+    const std::string zip = "'" + demoZip().string() + "'";
+    const ProgramRun convert =
+        runProgram(folder.path(), "convert " + zip + " -o a.exr --report a.json --grid utia288");
+    REQUIRE_MESSAGE(convert.status == 0, convert.err);
+    CHECK(readAtlasHeader(folder.path() / "a.exr").layout.width() == 288);
+    std::ifstream stream(folder.path() / "a.json");
+    const auto report = nlohmann::json::parse(stream);
+    CHECK(report["plan"]["samples"] == 204);
+    CHECK(report["output"]["path"] == "a.exr");
+    CHECK(report["counts"]["missing"] == 0);
+
+    const auto inspected =
+        nlohmann::json::parse(runProgram(folder.path(), "inspect a.exr --json").out);
+    CHECK(inspected["source"] == "cloth.zip");
+    CHECK(inspected["complete"] == true);
+    const ProgramRun database = runProgram(folder.path(), "inspect " + zip + " --json");
+    CHECK(database.status == 0);
+    CHECK(nlohmann::json::parse(database.out)["images"] == 6561);
+
+    const ProgramRun evaluate = runProgram(
+        folder.path(), "evaluate " + zip + " --method measured,published --sheet s.png --json");
+    REQUIRE_MESSAGE(evaluate.status == 0, evaluate.err);
+    const auto results = nlohmann::json::parse(evaluate.out)["results"];
+    CHECK(results[0]["delta_e"] == 0.0);
+    CHECK(results[1]["delta_e"] > 0.1);
+    CHECK(results[1]["images_read"] == report["plan"]["images_read"]);
+    CHECK(fs::exists(folder.path() / "s.png"));
+}
+
+TEST_CASE("a dry run lists the images and writes nothing; no-clobber keeps an old file") {
+    const TemporaryFolder folder;
+    const std::string zip = "'" + demoZip().string() + "'";
+    const ProgramRun dry =
+        runProgram(folder.path(), "convert " + zip + " -o a.exr --dry-run --json");
+    CHECK(dry.status == 0);
+    const auto plan = nlohmann::json::parse(dry.out);
+    CHECK(plan["images"].size() == plan["plan"]["images_read"].get<std::size_t>());
+    CHECK(filesIn(folder.path()).empty());
+    std::ofstream(folder.path() / "a.exr") << "old";
+    CHECK(runProgram(folder.path(), "convert " + zip + " -o a.exr --no-clobber").status == 0);
+    CHECK(fs::file_size(folder.path() / "a.exr") == 3);
+}
+
+TEST_CASE("a TOML file gives the same options, and the command line wins over it") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "job.toml")
+        << "input = '" << demoZip().string() << "'\noutput = 'a.exr'\ntexels = '2x2'\n"
+        << "elevations = [30, 60]\nlayout = 'spatial'\n";
+    const ProgramRun run = runProgram(folder.path(), "convert --config job.toml --texels 3x1");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const AtlasHeader header = readAtlasHeader(folder.path() / "a.exr");
+    CHECK(header.layout.texelsWide == 3);
+    CHECK(header.layout.kind == AtlasKind::kSpatial);
+    std::ofstream(folder.path() / "bad.toml") << "input = [\n";
+    const ProgramRun bad = runProgram(folder.path(), "convert --config bad.toml");
+    CHECK(bad.status == 1);
+    CHECK(contains(bad.err, "bad.toml"));
+}
+
+TEST_CASE("an interrupt leaves no file behind and ends by its signal") {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        runProgram(folder.path(), "demo big --size 256", "timeout --preserve-status -s INT 0.7");
+    CHECK(run.status != 0);
+    CHECK(filesIn(folder.path()).empty());
+    CHECK(contains(run.err, "interrupted"));
+}
+
+TEST_SUITE_END();
