@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -31,31 +32,71 @@ int texelOfPixel(int pixel, int pixels, int texels) {
     return static_cast<int>(static_cast<std::int64_t>(pixel) * texels / pixels);
 }
 
-/// Adds one row of pixels to one row of texels, with weight `rowShare`.
-void addRow(std::span<const Rgb> row, int width, double rowShare, std::span<Sum> sums) {
+bool isLight(const Rgb& c) {
+    return isFinite(c) && !isNegative(c);
+}
+
+/// The sum of pixels that are all valid and count whole. Four partial sums, as one alone would
+/// wait for each addition.
+Sum sumOf(std::span<const Rgb> pixels) {
+    constexpr std::size_t kParts = 4;
+    std::array<Sum, kParts> parts;
+    std::size_t x = 0;
+    for (; x + kParts <= pixels.size(); x += kParts) {
+        for (std::size_t part = 0; part < kParts; ++part) {
+            const Rgb& c = pixels[x + part];
+            parts[part].r += static_cast<double>(c.r);
+            parts[part].g += static_cast<double>(c.g);
+            parts[part].b += static_cast<double>(c.b);
+        }
+    }
+    Sum sum = parts[0];
+    for (std::size_t part = 1; part < kParts; ++part) {
+        sum.r += parts[part].r;
+        sum.g += parts[part].g;
+        sum.b += parts[part].b;
+    }
+    for (; x < pixels.size(); ++x) {
+        sum.r += static_cast<double>(pixels[x].r);
+        sum.g += static_cast<double>(pixels[x].g);
+        sum.b += static_cast<double>(pixels[x].b);
+    }
+    sum.weight = static_cast<double>(pixels.size());
+    return sum;
+}
+
+void addTo(Sum& total, const Sum& sum, double weight) {
+    total.r += weight * sum.r;
+    total.g += weight * sum.g;
+    total.b += weight * sum.b;
+    total.weight += weight * sum.weight;
+}
+
+/// Adds one row of pixels to one row of texels, with weight `rowShare`. allValid: no pixel of the
+/// row needs to be left out.
+void addRow(std::span<const Rgb> row, bool allValid, int width, double rowShare,
+            std::span<Sum> sums) {
     const int pixels = static_cast<int>(row.size());
     for (int texel = 0; texel < width; ++texel) {
         const int begin = texelOfPixel(texel, width, pixels);
         const int end = std::min(pixels, texelOfPixel(texel + 1, width, pixels) + 1);
-        Sum sum;
-        for (int x = begin; x < end; ++x) {
-            const Rgb& c = row[static_cast<std::size_t>(x)];
-            // Comparisons with NaN are false, so one test finds all that is not a light.
-            const bool valid = c.r >= 0 && c.g >= 0 && c.b >= 0 && isFinite(c);
-            const bool inside = x > begin && x + 1 < end;
-            const double w =
-                valid ? rowShare * (inside ? 1.0 : share(x, pixels, texel, width)) : 0.0;
-            if (w == 0) continue;
-            sum.r += w * static_cast<double>(c.r);
-            sum.g += w * static_cast<double>(c.g);
-            sum.b += w * static_cast<double>(c.b);
-            sum.weight += w;
-        }
         Sum& total = sums[static_cast<std::size_t>(texel)];
-        total.r += sum.r;
-        total.g += sum.g;
-        total.b += sum.b;
-        total.weight += sum.weight;
+        const auto addPixel = [&](int x, double weight) {
+            const Rgb& c = row[static_cast<std::size_t>(x)];
+            if (weight == 0 || !(allValid || isLight(c))) return;
+            addTo(total, {c.r, c.g, c.b, 1}, weight);
+        };
+        // Only the two outermost pixels can be cut by a border.
+        addPixel(begin, rowShare * share(begin, pixels, texel, width));
+        if (allValid && begin + 2 < end) {
+            addTo(total,
+                  sumOf(row.subspan(static_cast<std::size_t>(begin + 1),
+                                    static_cast<std::size_t>(end - begin - 2))),
+                  rowShare);
+        } else {
+            for (int x = begin + 1; x + 1 < end; ++x) addPixel(x, rowShare);
+        }
+        if (begin + 1 < end) addPixel(end - 1, rowShare * share(end - 1, pixels, texel, width));
     }
 }
 
@@ -77,7 +118,7 @@ void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::sp
             // A negative or unreal light stays one: a conversion could hide it.
             const Rgb c = {p[0], p[1], p[2]};
             constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-            row[i] = isFinite(c) && !isNegative(c) ? c : Rgb{kNaN, kNaN, kNaN};
+            row[i] = isLight(c) ? c : Rgb{kNaN, kNaN, kNaN};
         }
         if (!transform_.isIdentity()) transform_.apply(row);
         return;
@@ -112,12 +153,13 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
     std::size_t leftOut = 0;
     for (int y = 0; y < image.height; ++y) {
         linearizer.linearize(image, static_cast<std::size_t>(y) * columns, row);
-        for (const Rgb& c : row) leftOut += isFinite(c) && !isNegative(c) ? 0U : 1U;
+        const auto valid = static_cast<std::size_t>(std::ranges::count_if(row, isLight));
+        leftOut += columns - valid;
         const int firstTexel = texelOfPixel(y, image.height, height);
         for (int texel = firstTexel; texel < height; ++texel) {
             const double rowShare = share(y, image.height, texel, height);
             if (rowShare == 0) break;
-            addRow(row, width, rowShare,
+            addRow(row, valid == columns, width, rowShare,
                    std::span(sums).subspan(static_cast<std::size_t>(texel * width),
                                            static_cast<std::size_t>(width)));
         }

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace abrdf {
 
@@ -53,7 +54,7 @@ std::runtime_error badImage(const std::string& name, const std::string& why) {
 
 /// Packs the first three channels, or the first one three times.
 template <typename T>
-std::vector<T> packedRgb(const std::vector<T>& values, std::size_t channels) {
+std::vector<T> packedRgb(std::vector<T> values, std::size_t channels) {
     if (channels == 3) return values;
     const std::size_t pixels = values.size() / channels;
     std::vector<T> rgb(3 * pixels);
@@ -75,7 +76,7 @@ std::vector<T> readPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, const st
     // The JPEG reader fills a truncated image with grey, calls it read, and leaves a message.
     const std::string message = input.geterror();
     if (!read || !message.empty()) throw badImage(name, message);
-    return packedRgb(values, static_cast<std::size_t>(spec.nchannels));
+    return packedRgb(std::move(values), static_cast<std::size_t>(spec.nchannels));
 }
 
 }  // namespace

@@ -166,7 +166,8 @@ std::vector<Bytes> plannedImages(const abrdf::ConvertOptions& options) {
     zip_t* archive = zip_open(options.input.input.c_str(), ZIP_RDONLY, nullptr);
     if (archive == nullptr) throw std::runtime_error("the database is not a zip");
     std::vector<Bytes> images;
-    for (const std::string file : abrdf::planConvert(options)["images"]) {
+    const nlohmann::ordered_json plan = abrdf::planConvert(options);
+    for (const std::string file : plan["images"]) {
         const std::string name = file.substr(file.find(": ") + 2);
         zip_stat_t stat;
         zip_file_t* entry = zip_fopen(archive, name.c_str(), 0);

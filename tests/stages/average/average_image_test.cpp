@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/average/average_image.h"
+
+#include "color/delta_e.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using namespace abrdf;
+
+namespace {
+
+Linearizer identity() {
+    return Linearizer(ColorConfig::load().transform("Raw", "Raw"));
+}
+Linearizer fromSrgb() {
+    return Linearizer(ColorConfig::load().transform("sRGB - Texture", "Linear Rec.709 (sRGB)"));
+}
+
+EncodedImage ramp(int width, int height) {
+    std::vector<float> values;
+    for (int i = 0; i < width * height; ++i) {
+        for (const float scale : {1.0F, 2.0F, 3.0F})
+            values.push_back(scale * static_cast<float>(i));
+    }
+    return {width, height, values};
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("unit");
+
+TEST_CASE("texels that do not divide the image conserve its mean") {
+    const EncodedImage image = ramp(13, 7);
+    for (const auto& [w, h] : {std::pair{1, 1}, {13, 7}, {5, 3}, {2, 7}, {12, 6}}) {
+        std::vector<Rgb> texels(static_cast<std::size_t>(w * h));
+        CHECK(averageImage(image, identity(), w, h, texels) == 0);
+        double sum = 0;
+        for (const Rgb& t : texels) sum += static_cast<double>(t.g);
+        CHECK(sum / (w * h) == doctest::Approx(2 * 45.0).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("every texel of a full map is its own pixel") {
+    const EncodedImage image = ramp(4, 3);
+    std::vector<Rgb> texels(12);
+    averageImage(image, identity(), 4, 3, texels);
+    CHECK(texels[7] == Rgb{7, 14, 21});
+}
+
+TEST_CASE("a pixel that a border cuts counts by its parts") {
+    const EncodedImage image{3, 1, std::vector<float>{0, 0, 0, 6, 6, 6, 12, 12, 12}};
+    std::vector<Rgb> texels(2);
+    averageImage(image, identity(), 2, 1, texels);
+    CHECK(texels[0].r == doctest::Approx(2));
+    CHECK(texels[1].r == doctest::Approx(10));
+}
+
+TEST_CASE("NaN, infinite and negative pixels are counted and kept out") {
+    constexpr float kInf = std::numeric_limits<float>::infinity();
+    const EncodedImage image{
+        5, 1, std::vector<float>{1, 1, 1, std::nanf(""), 1, 1, 1, kInf, 1, 1, 1, -1e30F, 3, 3, 3}};
+    std::vector<Rgb> one(1);
+    CHECK(averageImage(image, identity(), 1, 1, one) == 3);
+    CHECK(one[0] == Rgb{2, 2, 2});
+    std::vector<Rgb> all(5);
+    averageImage(image, identity(), 5, 1, all);
+    CHECK_FALSE(isFinite(all[1]));
+}
+
+TEST_CASE("eight-bit sRGB is averaged in linear light") {
+    const EncodedImage image{2, 1, std::vector<std::uint8_t>{0, 0, 0, 255, 128, 255}};
+    std::vector<Rgb> texel(1);
+    averageImage(image, fromSrgb(), 1, 1, texel);
+    CHECK(texel[0].r == doctest::Approx(0.5));
+    CHECK(static_cast<double>(texel[0].g) ==
+          doctest::Approx(0.5 * linearFromSrgb(128.0 / 255)).epsilon(1e-5));
+}
+
+TEST_CASE("the table for eight-bit codes says what the transform says pixel by pixel") {
+    std::vector<std::uint8_t> codes;
+    std::vector<float> values;
+    for (int i = 0; i < 256; ++i) {
+        for (const int code : {i, 255 - i, i / 2}) {
+            codes.push_back(static_cast<std::uint8_t>(code));
+            values.push_back(static_cast<float>(code) / 255.0F);
+        }
+    }
+    std::vector<Rgb> fromCodes(256);
+    std::vector<Rgb> fromValues(256);
+    fromSrgb().linearize({256, 1, codes}, 0, fromCodes);
+    fromSrgb().linearize({256, 1, values}, 0, fromValues);
+    for (std::size_t i = 0; i < 256; ++i) {
+        CHECK(fromCodes[i].r == doctest::Approx(fromValues[i].r).epsilon(1e-6));
+        CHECK(fromCodes[i].b == doctest::Approx(fromValues[i].b).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("more texels than pixels are refused") {
+    std::vector<Rgb> texels(20);
+    CHECK_THROWS_AS(averageImage(ramp(4, 3), identity(), 5, 3, texels), std::invalid_argument);
+}
+
+TEST_SUITE_END();

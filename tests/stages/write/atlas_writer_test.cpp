@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/write/atlas_writer.h"
+
+#include "abrdf/output_file.h"
+#include "stages/pack/pack_texels.h"
+#include "stages/read/atlas_reader.h"
+#include "tests/support/synthetic_btf.h"
+#include "tests/support/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+using namespace abrdf;
+
+namespace {
+
+AtlasHeader smallHeader(AtlasKind kind, int wide, int high) {
+    AtlasHeader header;
+    header.grid = AngularGrid(regularDirections(1, 5), regularDirections(1, 7));
+    header.layout = {kind, wide, high, 5, 7};
+    header.method = "measured";
+    header.interopId = "lin_rec709_scene";
+    return header;
+}
+
+/// Each value tells where it belongs, exactly in half.
+Rgb valueOf(std::size_t texel, std::size_t pair) {
+    return {static_cast<float>(texel), static_cast<float>(pair), 0.5F};
+}
+
+AbrdfTile smallTile(const AtlasLayout& layout) {
+    AbrdfTile tile(layout.texelCount(), 35);
+    for (std::size_t t = 0; t < tile.texelCount(); ++t) {
+        for (std::size_t p = 0; p < 35; ++p) tile[t][p] = valueOf(t, p);
+    }
+    return tile;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("unit");
+
+TEST_CASE("what is packed and written is looked up again from the header alone, on odd sizes") {
+    const TemporaryFolder folder;
+    for (const AtlasKind kind : {AtlasKind::kAngular, AtlasKind::kSpatial}) {
+        for (const PixelType type : {PixelType::kHalf, PixelType::kFloat}) {
+            for (const auto& [wide, high] : {std::pair{1, 1}, {3, 2}, {2, 29}}) {
+                const AtlasHeader header = smallHeader(kind, wide, high);
+                const AbrdfTile tile = smallTile(header.layout);
+                const AtlasBlock block = kind == AtlasKind::kAngular
+                                             ? packAngular(tile, header.layout, 0, high)
+                                             : packSpatial(tile, header.layout);
+                const auto path = folder.path() / "a.exr";
+                AtlasWriter writer(path, header, type, Compression::kZip);
+                CHECK(writer.writeRows(block.y, block.height, block.pixels) == 0);
+                const std::uint64_t bytes = writer.finish({1, 2, 3, 4});
+                CHECK(bytes == std::filesystem::file_size(path));
+                const Atlas atlas = readAtlas(path);
+                CHECK(atlas.header().counts.clamped == 1);
+                CHECK(atlas.header().counts.nonfinite == 3);
+                const AngularGrid& grid = atlas.header().grid;
+                for (std::size_t t = 0; t < tile.texelCount(); ++t) {
+                    for (std::size_t p = 0; p < 35; ++p) {
+                        const auto x = static_cast<int>(t) % wide;
+                        const auto y = static_cast<int>(t) / wide;
+                        CHECK(atlas.at({x, y, static_cast<int>(p / 7), static_cast<int>(p % 7)}) ==
+                              valueOf(t, p));
+                        if (p % 7 == 0 || t == 0) {
+                            const LightAndView pair = grid.pair(p);
+                            CHECK(lookUp(atlas, pair.light, pair.view, x, y) == valueOf(t, p));
+                        }
+                    }
+                }
+                CHECK_THROWS_AS(lookUp(atlas, {}, {}, wide, 0), std::out_of_range);
+            }
+        }
+    }
+}
+
+TEST_CASE("a half never becomes infinite: it is cut and counted") {
+    const TemporaryFolder folder;
+    AtlasHeader header = smallHeader(AtlasKind::kAngular, 1, 1);
+    std::vector<Rgb> pixels(35, Rgb{1, 2, 3});
+    pixels[4].g = 1e6F;
+    CHECK_FALSE(fitsHalf(pixels));
+    AtlasWriter writer(folder.path() / "a.exr", header, PixelType::kHalf, Compression::kNone);
+    CHECK(writer.writeRows(0, 5, pixels) == 1);
+    writer.finish({});
+    CHECK(readAtlas(folder.path() / "a.exr").at({0, 0, 0, 4}).g == 65504);
+}
+
+TEST_CASE("without finish() nothing is left behind and an old file is intact") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.exr";
+    std::ofstream(path) << "old";
+    {
+        const AtlasHeader header = smallHeader(AtlasKind::kAngular, 1, 1);
+        AtlasWriter writer(path, header, PixelType::kHalf, Compression::kZip);
+        writer.writeRows(0, 5, std::vector<Rgb>(35));
+    }
+    CHECK(bytesOf(path) == "old");
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+    {
+        OutputFile file(path);
+        file.write(std::string("new"));
+    }
+    CHECK(bytesOf(path) == "old");
+    writeWholeFile(path, "new");
+    CHECK(bytesOf(path) == "new");
+    CHECK_THROWS_AS(checkOutputPath(folder.path()), std::runtime_error);
+    CHECK_THROWS_AS(checkOutputPath(folder.path() / "no" / "a.exr"), std::runtime_error);
+}
+
+TEST_CASE("a full disk is an error that names the file, not a cut atlas") {
+    // /dev/full fails every write; the temporary cannot be there, so the stream is tried alone.
+    CHECK_THROWS_AS(checkOutputPath("/dev/full"), std::runtime_error);
+}
+
+TEST_CASE("files that are no atlas are refused by name") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.exr";
+    std::ofstream(path) << "no picture";
+    CHECK_FALSE(isAtlas(path));
+    CHECK_THROWS_AS(readAtlasHeader(path), std::runtime_error);
+}
+
+TEST_SUITE_END();
