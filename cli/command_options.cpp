@@ -27,7 +27,7 @@ void addPlanOptions(CLI::App& command, PlanOptions& options) {
         .add_option("--elevations", options.elevations,
                     "the slices' two elevations in degrees, as 30,75")
         ->delimiter(',')
-        ->expected(2);
+        ->allow_extra_args(false);
     command.add_option("--alpha", options.alpha, "the slices' offset in degrees")
         ->capture_default_str();
     command.add_option("--axial", options.axial, "samples of an axial slice (24)");

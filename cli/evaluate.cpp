@@ -20,6 +20,7 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     addPlanOptions(*command, options->plan);
     command->add_option("--method,--methods", options->job.methods, "one or more, with commas")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->capture_default_str();
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();

@@ -32,8 +32,11 @@ int texelOfPixel(int pixel, int pixels, int texels) {
     return static_cast<int>(static_cast<std::int64_t>(pixel) * texels / pixels);
 }
 
+/// Finite and not negative. Without branches: every pixel of every image is asked.
 bool isLight(const Rgb& c) {
-    return isFinite(c) && !isNegative(c);
+    constexpr float kMax = std::numeric_limits<float>::max();
+    const auto is = [](float v) { return static_cast<int>(v >= 0) & static_cast<int>(v <= kMax); };
+    return (is(c.r) & is(c.g) & is(c.b)) != 0;
 }
 
 /// The sum of pixels that are all valid and count whole. Four partial sums, as one alone would

@@ -231,14 +231,16 @@ void run(const TemporaryFolder& folder, fs::path database) {
     const std::vector<Bytes> images = plannedImages(options);
     std::size_t bytes = 0;
     for (const Bytes& image : images) bytes += image.size();
-    std::vector<double> whole, read, limit, ratio;
+    std::vector<double> whole, read, plan, limit, ratio;
     for (int round = -1; round < kRounds; ++round) {
         nlohmann::ordered_json report;
         const double convertSeconds = secondsOf([&] { report = abrdf::convert(options, {}); });
+        const double planSeconds = secondsOf([&] { abrdf::planConvert(options); });
         const double decodeSeconds = secondsOf([&] { decodeAll(images); });
         if (round < 0) continue;  // warming up
         whole.push_back(convertSeconds);
         read.push_back(report["time"]["read"]);
+        plan.push_back(planSeconds);
         limit.push_back(decodeSeconds);
         ratio.push_back(convertSeconds / decodeSeconds);
     }
@@ -248,6 +250,7 @@ void run(const TemporaryFolder& folder, fs::path database) {
                              kRounds, abrdf::availableThreads());
     print("convert", whole);
     print("  of which open and read", read);
+    print("  of that, before any image", plan);
     print("libjpeg-turbo alone", limit);
     std::cout << fmt::format(
         "ratio: of medians {:.3f}, of minima {:.3f}, median of ratios {:.3f}\n",

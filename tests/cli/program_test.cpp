@@ -123,7 +123,7 @@ TEST_CASE("convert, inspect and evaluate agree about one database") {
     CHECK(nlohmann::json::parse(database.out)["images"] == 6561);
 
     const ProgramRun evaluate = runProgram(
-        folder.path(), "evaluate " + zip + " --method measured,published --sheet s.png --json");
+        folder.path(), "evaluate --sheet s.png --json --method measured,published " + zip);
     REQUIRE_MESSAGE(evaluate.status == 0, evaluate.err);
     const auto results = nlohmann::json::parse(evaluate.out)["results"];
     CHECK(results[0]["delta_e"] == 0.0);
