@@ -32,11 +32,22 @@ int texelOfPixel(int pixel, int pixels, int texels) {
     return static_cast<int>(static_cast<std::int64_t>(pixel) * texels / pixels);
 }
 
-/// Finite and not negative. Without branches: every pixel of every image is asked.
 bool isLight(const Rgb& c) {
+    return isFinite(c) && !isNegative(c);
+}
+
+/// isLight() of all. Channel by channel and without a branch: compilers make vectors of that, and
+/// every pixel of every image is asked.
+bool areLights(std::span<const Rgb> row) {
+    static_assert(sizeof(Rgb) == 3 * sizeof(float));
+    const float* channels = &row.front().r;
     constexpr float kMax = std::numeric_limits<float>::max();
-    const auto is = [](float v) { return static_cast<int>(v >= 0) & static_cast<int>(v <= kMax); };
-    return (is(c.r) & is(c.g) & is(c.b)) != 0;
+    int others = 0;
+    for (std::size_t i = 0; i < 3 * row.size(); ++i) {
+        const auto notNegative = static_cast<int>(channels[i] >= 0);
+        others += 1 - (notNegative & static_cast<int>(channels[i] <= kMax));
+    }
+    return others == 0;
 }
 
 /// The sum of pixels that are all valid and count whole. Four partial sums, as one alone would
@@ -156,13 +167,15 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
     std::size_t leftOut = 0;
     for (int y = 0; y < image.height; ++y) {
         linearizer.linearize(image, static_cast<std::size_t>(y) * columns, row);
-        const auto valid = static_cast<std::size_t>(std::ranges::count_if(row, isLight));
-        leftOut += columns - valid;
+        const bool allValid = areLights(row);
+        if (!allValid) {
+            leftOut += columns - static_cast<std::size_t>(std::ranges::count_if(row, isLight));
+        }
         const int firstTexel = texelOfPixel(y, image.height, height);
         for (int texel = firstTexel; texel < height; ++texel) {
             const double rowShare = share(y, image.height, texel, height);
             if (rowShare == 0) break;
-            addRow(row, valid == columns, width, rowShare,
+            addRow(row, allValid, width, rowShare,
                    std::span(sums).subspan(static_cast<std::size_t>(texel * width),
                                            static_cast<std::size_t>(width)));
         }

@@ -127,7 +127,7 @@ TEST_SUITE("unit") {
         CHECK(asymmetry(ribs, unit(60, 0), unit(0, 0)) > 0.1);
     }
 
-    TEST_CASE("a flat isotropic facet does not change when it is turned; a brushed one does") {
+    TEST_CASE("a flat isotropic facet does not change when it is turned, a brushed one does") {
         Facet smooth = mirror(LobeShape::kGgx, 0.3F, 0.3F);
         smooth.diffuse = lambertian(0.3F).diffuse;
         smooth.velvet.strength = 0.2F;

@@ -132,7 +132,7 @@ TEST_CASE("convert, inspect and evaluate agree about one database") {
     CHECK(fs::exists(folder.path() / "s.png"));
 }
 
-TEST_CASE("a dry run lists the images and writes nothing; no-clobber keeps an old file") {
+TEST_CASE("a dry run lists the images and writes nothing, no-clobber keeps an old file") {
     const TemporaryFolder folder;
     const std::string zip = "'" + demoZip().string() + "'";
     const ProgramRun dry =

@@ -131,7 +131,7 @@ TEST_CASE("missing images end the job, unless they are to be filled") {
     CHECK(convert(options, {})["counts"]["missing"] == 7);
 }
 
-TEST_CASE("values that no half can hold choose float; NaN pixels are counted and kept out") {
+TEST_CASE("values that no half can hold choose float, NaN pixels are counted and kept out") {
     const TemporaryFolder folder;
     SyntheticBtf btf = cloth(2, 1, "exr");
     btf.value = [](const LightAndView&, int x, int) {

@@ -159,7 +159,7 @@ TEST_SUITE("unit") {
         }
     }
 
-    TEST_CASE("pairs without a measurement are left out; a NaN of the reconstruction shows") {
+    TEST_CASE("pairs without a measurement are left out, a NaN of the reconstruction shows") {
         std::vector<Rgb> truth = ramp(4, 1);
         std::vector<Rgb> other = truth;
         truth[1] = {kNan, 0, 0};
