@@ -165,7 +165,7 @@ TEST_CASE("a TOML file gives the same options, and the command line wins over it
 TEST_CASE("an interrupt leaves no file behind and ends by its signal") {
     const TemporaryFolder folder;
     const ProgramRun run =
-        runProgram(folder.path(), "demo big --size 256", "timeout --preserve-status -s INT 0.7");
+        runProgram(folder.path(), "demo big --size 512", "timeout --preserve-status -s INT 3");
     CHECK(run.status != 0);
     CHECK(filesIn(folder.path()).empty());
     CHECK(contains(run.err, "interrupted"));
