@@ -37,12 +37,6 @@ std::vector<Direction> directionsFromFloats(const Imf::FloatVector& values) {
     return directions;
 }
 
-/// EXR's integers have 32 bits; a larger count stands as the largest.
-int saturated(std::uint64_t count) {
-    return static_cast<int>(
-        std::min<std::uint64_t>(count, std::uint64_t{std::numeric_limits<int>::max()}));
-}
-
 Imf::Chromaticities chromaticitiesOf(const Primaries& p) {
     const auto xy = [](const std::array<float, 2>& c) { return Imath::V2f(c[0], c[1]); };
     return {xy(p.red), xy(p.green), xy(p.blue), xy(p.white)};
@@ -87,6 +81,11 @@ ValueCounts& ValueCounts::operator+=(const ValueCounts& other) {
     return *this;
 }
 
+int headerCount(std::uint64_t count) {
+    return static_cast<int>(
+        std::min<std::uint64_t>(count, std::uint64_t{std::numeric_limits<int>::max()}));
+}
+
 void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     using Imf::IntAttribute;
     using Imf::StringAttribute;
@@ -105,9 +104,9 @@ void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     header.insert("abrdf:cosine", StringAttribute(nameOf(atlas.cosine)));
     header.insert("abrdf:maxMeasuredTheta",
                   Imf::FloatAttribute(static_cast<float>(atlas.maxMeasuredTheta)));
-    header.insert("abrdf:clamped", IntAttribute(saturated(atlas.counts.clamped)));
-    header.insert("abrdf:extrapolated", IntAttribute(saturated(atlas.counts.extrapolated)));
-    header.insert("abrdf:nonfinite", IntAttribute(saturated(atlas.counts.nonfinite)));
+    header.insert("abrdf:clamped", IntAttribute(headerCount(atlas.counts.clamped)));
+    header.insert("abrdf:extrapolated", IntAttribute(headerCount(atlas.counts.extrapolated)));
+    header.insert("abrdf:nonfinite", IntAttribute(headerCount(atlas.counts.nonfinite)));
     header.insert("abrdf:colorSpace", StringAttribute(atlas.colorSpace));
     header.insert("colorInteropID", StringAttribute(atlas.interopId));
     header.insert("Software", StringAttribute("abrdf"));

@@ -43,10 +43,12 @@ struct AtlasHeader {
     std::string colorSpace;  ///< OpenColorIO name.
     std::string interopId;   ///< Color Interop Forum id, "unknown" where the space is none of ours.
 
-    bool isAtlas() const { return grid.pairCount() > 0; }
 };
 
 constexpr int kAtlasVersion = 1;
+
+/// A count as the header's 32-bit integers hold it: a larger one stands as the largest.
+int headerCount(std::uint64_t count);
 
 /// Writes `atlas` into attributes `abrdf:*`, with chromaticities and colorInteropID.
 void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header);

@@ -29,4 +29,9 @@ Radians angleBetween(Direction a, Direction b) {
     return 2 * std::asin(std::min(1.0, chord / 2));
 }
 
+double squaredDistance(const LightAndView& a, const LightAndView& b) {
+    return (vectorFromDirection(a.light) - vectorFromDirection(b.light)).length2() +
+           (vectorFromDirection(a.view) - vectorFromDirection(b.view)).length2();
+}
+
 }  // namespace abrdf

@@ -44,6 +44,9 @@ Direction directionFromVector(const Imath::V3d& vector);
 /// `angle` turned into 0 .. 2 pi (2 pi excluded).
 Radians wrappedAzimuth(Radians angle);
 
+/// Squared distance of two pairs as points of the product of two unit spheres.
+double squaredDistance(const LightAndView& a, const LightAndView& b);
+
 /// Angle between two directions.
 Radians angleBetween(Direction a, Direction b);
 

@@ -24,14 +24,6 @@ void addMeasuredPair(SampleSet& set, const AngularGrid& grid, std::size_t pair) 
     set.sources.push_back({{pair, 1.0F}});
 }
 
-/// Squared distance of two pairs as points of the product of two spheres.
-double squaredDistance(const LightAndView& a, const LightAndView& b) {
-    const auto chord = [](Direction x, Direction y) {
-        return (vectorFromDirection(x) - vectorFromDirection(y)).length2();
-    };
-    return chord(a.light, b.light) + chord(a.view, b.view);
-}
-
 std::vector<WeightedPair> neighbours(std::size_t pair, const AngularGrid& grid,
                                      std::span<const std::uint8_t> present) {
     std::vector<std::pair<double, std::size_t>> found;

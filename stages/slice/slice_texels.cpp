@@ -29,11 +29,6 @@ std::vector<std::vector<Term>> termsInStack(const ImageStack& stack, const Sampl
     return terms;
 }
 
-double squaredDistance(const LightAndView& a, const LightAndView& b) {
-    return (vectorFromDirection(a.light) - vectorFromDirection(b.light)).length2() +
-           (vectorFromDirection(a.view) - vectorFromDirection(b.view)).length2();
-}
-
 /// Replaces invalid samples of one texel; rare, so slow and simple.
 std::uint64_t repair(std::span<Rgb> samples, const SampleSet& set) {
     std::vector<std::size_t> invalid;

@@ -156,13 +156,9 @@ std::uint64_t AtlasWriter::writeRows(int firstRow, int rows, std::span<const Rgb
 std::uint64_t AtlasWriter::finish(const ValueCounts& counts) {
     // Destroyed, OpenEXR's file writes its table of tiles; the stream remembers a failure there.
     file_->output.reset();
-    const auto asInt = [](std::uint64_t count) {
-        return static_cast<int>(
-            std::min<std::uint64_t>(count, std::uint64_t{std::numeric_limits<int>::max()}));
-    };
-    file_->stream.patchInt("abrdf:clamped", asInt(counts.clamped));
-    file_->stream.patchInt("abrdf:extrapolated", asInt(counts.extrapolated));
-    file_->stream.patchInt("abrdf:nonfinite", asInt(counts.nonfinite));
+    file_->stream.patchInt("abrdf:clamped", headerCount(counts.clamped));
+    file_->stream.patchInt("abrdf:extrapolated", headerCount(counts.extrapolated));
+    file_->stream.patchInt("abrdf:nonfinite", headerCount(counts.nonfinite));
     return file_->stream.commit();
 }
 
