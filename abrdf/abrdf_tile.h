@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/zeroed_vector.h"
 #include "color/rgb.h"
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace abrdf {
 
@@ -35,7 +35,7 @@ class AbrdfTile {
   private:
     std::size_t texelCount_ = 0;
     std::size_t valuesPerTexel_ = 0;
-    std::vector<Rgb> values_;
+    ZeroedVector<Rgb> values_;
 };
 
 }  // namespace abrdf

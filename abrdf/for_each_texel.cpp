@@ -103,6 +103,10 @@ void forEachImage(std::size_t count, const std::function<void(std::size_t)>& bod
     forEachTexelBlock(count, 1, [&](std::size_t begin, std::size_t) { body(begin); });
 }
 
+void callBoth(const std::function<void()>& first, const std::function<void()>& second) {
+    forEachBlock(2, [&](std::size_t which) { which == 0 ? first() : second(); });
+}
+
 double sumOverTexels(std::size_t count, const std::function<double(std::size_t)>& term) {
     std::vector<double> sums((count + kTexelBlock - 1) / kTexelBlock);
     forEachTexelBlock(count, kTexelBlock, [&](std::size_t begin, std::size_t end) {

@@ -36,6 +36,9 @@ void forEachTexel(std::size_t count, const std::function<void(std::size_t texel)
 /// large and cost what they like.
 void forEachImage(std::size_t count, const std::function<void(std::size_t image)>& body);
 
+/// Calls both, at once where a thread is free; what is thrown inside is thrown again here.
+void callBoth(const std::function<void()>& first, const std::function<void()>& second);
+
 /// Sum of term(texel), the same bits for every number of threads: partial sums of fixed blocks,
 /// added in their order.
 double sumOverTexels(std::size_t count, const std::function<double(std::size_t texel)>& term);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/zeroed_vector.h"
 #include "color/rgb.h"
 
 #include <cstddef>
@@ -39,7 +40,7 @@ class ImageStack {
     std::vector<std::size_t> pairs_;
     int width_ = 0;
     int height_ = 0;
-    std::vector<Rgb> values_;
+    ZeroedVector<Rgb> values_;
 };
 
 }  // namespace abrdf

@@ -70,8 +70,10 @@ Texels texelsFromName(const std::string& name) {
 }
 
 OpenedInput openInput(const InputOptions& options) {
-    OpenedInput input{
-        openBtf(options.input), ColorConfig::load(options.colorConfig), {}, options.missing};
+    OpenedInput input;
+    input.missing = options.missing;
+    callBoth([&] { input.reader = openBtf(options.input); },
+             [&] { input.colors = ColorConfig::load(options.colorConfig); });
     const BtfDescription& description = input.description();
     if (!description.duplicates.empty()) {
         throw std::runtime_error(fmt::format(

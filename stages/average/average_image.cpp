@@ -50,35 +50,6 @@ bool areLights(std::span<const Rgb> row) {
     return others == 0;
 }
 
-/// The sum of pixels that are all valid and count whole. Four partial sums, as one alone would
-/// wait for each addition.
-Sum sumOf(std::span<const Rgb> pixels) {
-    constexpr std::size_t kParts = 4;
-    std::array<Sum, kParts> parts;
-    std::size_t x = 0;
-    for (; x + kParts <= pixels.size(); x += kParts) {
-        for (std::size_t part = 0; part < kParts; ++part) {
-            const Rgb& c = pixels[x + part];
-            parts[part].r += static_cast<double>(c.r);
-            parts[part].g += static_cast<double>(c.g);
-            parts[part].b += static_cast<double>(c.b);
-        }
-    }
-    Sum sum = parts[0];
-    for (std::size_t part = 1; part < kParts; ++part) {
-        sum.r += parts[part].r;
-        sum.g += parts[part].g;
-        sum.b += parts[part].b;
-    }
-    for (; x < pixels.size(); ++x) {
-        sum.r += static_cast<double>(pixels[x].r);
-        sum.g += static_cast<double>(pixels[x].g);
-        sum.b += static_cast<double>(pixels[x].b);
-    }
-    sum.weight = static_cast<double>(pixels.size());
-    return sum;
-}
-
 void addTo(Sum& total, const Sum& sum, double weight) {
     total.r += weight * sum.r;
     total.g += weight * sum.g;
@@ -86,31 +57,91 @@ void addTo(Sum& total, const Sum& sum, double weight) {
     total.weight += weight * sum.weight;
 }
 
-/// Adds one row of pixels to one row of texels, with weight `rowShare`. allValid: no pixel of the
-/// row needs to be left out.
-void addRow(std::span<const Rgb> row, bool allValid, int width, double rowShare,
-            std::span<Sum> sums) {
+/// The sum of count pixels, all valid. Four partial sums, as one alone would wait for each
+/// addition. add(x, sum) adds pixel x.
+template <typename Add>
+Sum sumOf(std::size_t count, const Add& add) {
+    constexpr std::size_t kParts = 4;
+    std::array<Sum, kParts> parts;
+    std::size_t x = 0;
+    for (; x + kParts <= count; x += kParts) {
+        for (std::size_t part = 0; part < kParts; ++part) add(x + part, parts[part]);
+    }
+    for (std::size_t part = 1; part < kParts; ++part) addTo(parts[0], parts[part], 1);
+    for (; x < count; ++x) add(x, parts[0]);
+    parts[0].weight = static_cast<double>(count);
+    return parts[0];
+}
+
+/// A row of linear colours; NaN where a pixel is to be left out.
+class LinearRow {
+  public:
+    LinearRow(std::span<const Rgb> colors, bool allValid) : colors_(colors), allValid_(allValid) {}
+
+    std::size_t size() const { return colors_.size(); }
+    Sum at(std::size_t x) const {
+        const Rgb& c = colors_[x];
+        return allValid_ || isLight(c) ? Sum{c.r, c.g, c.b, 1} : Sum{};
+    }
+    Sum over(std::size_t begin, std::size_t end) const {
+        Sum sum;
+        if (!allValid_) {
+            for (std::size_t x = begin; x < end; ++x) addTo(sum, at(x), 1);
+            return sum;
+        }
+        return sumOf(end - begin, [&](std::size_t x, Sum& part) {
+            const Rgb& c = colors_[begin + x];
+            part.r += static_cast<double>(c.r);
+            part.g += static_cast<double>(c.g);
+            part.b += static_cast<double>(c.b);
+        });
+    }
+
+  private:
+    std::span<const Rgb> colors_;
+    bool allValid_;
+};
+
+/// A row of eight-bit codes, R G B R G B ..., summed straight from the table of their light.
+class CodedRow {
+  public:
+    CodedRow(std::span<const std::uint8_t> codes, const CodeTable& table)
+        : codes_(codes), table_(table) {}
+
+    std::size_t size() const { return codes_.size() / 3; }
+    Sum at(std::size_t x) const { return over(x, x + 1); }
+    Sum over(std::size_t begin, std::size_t end) const {
+        const std::uint8_t* code = codes_.data() + 3 * begin;
+        return sumOf(end - begin, [&](std::size_t x, Sum& part) {
+            part.r += table_[0][code[3 * x]];
+            part.g += table_[1][code[3 * x + 1]];
+            part.b += table_[2][code[3 * x + 2]];
+        });
+    }
+
+  private:
+    std::span<const std::uint8_t> codes_;
+    const CodeTable& table_;
+};
+
+/// Adds one row of pixels to one row of texels, with weight `rowShare`.
+template <typename Row>
+void addRow(const Row& row, double rowShare, std::span<Sum> sums) {
     const int pixels = static_cast<int>(row.size());
+    const int width = static_cast<int>(sums.size());
     for (int texel = 0; texel < width; ++texel) {
         const int begin = texelOfPixel(texel, width, pixels);
         const int end = std::min(pixels, texelOfPixel(texel + 1, width, pixels) + 1);
         Sum& total = sums[static_cast<std::size_t>(texel)];
-        const auto addPixel = [&](int x, double weight) {
-            const Rgb& c = row[static_cast<std::size_t>(x)];
-            if (weight == 0 || !(allValid || isLight(c))) return;
-            addTo(total, {c.r, c.g, c.b, 1}, weight);
-        };
         // Only the two outermost pixels can be cut by a border.
-        addPixel(begin, rowShare * share(begin, pixels, texel, width));
-        if (allValid && begin + 2 < end) {
-            addTo(total,
-                  sumOf(row.subspan(static_cast<std::size_t>(begin + 1),
-                                    static_cast<std::size_t>(end - begin - 2))),
-                  rowShare);
-        } else {
-            for (int x = begin + 1; x + 1 < end; ++x) addPixel(x, rowShare);
-        }
-        if (begin + 1 < end) addPixel(end - 1, rowShare * share(end - 1, pixels, texel, width));
+        addTo(total, row.at(static_cast<std::size_t>(begin)),
+              rowShare * share(begin, pixels, texel, width));
+        if (begin + 1 == end) continue;
+        addTo(total,
+              row.over(static_cast<std::size_t>(begin + 1), static_cast<std::size_t>(end - 1)),
+              rowShare);
+        addTo(total, row.at(static_cast<std::size_t>(end - 1)),
+              rowShare * share(end - 1, pixels, texel, width));
     }
 }
 
@@ -118,11 +149,19 @@ void addRow(std::span<const Rgb> row, bool allValid, int width, double rowShare,
 
 Linearizer::Linearizer(ColorTransform toSceneLinear) : transform_(std::move(toSceneLinear)) {
     if (!transform_.isPerChannel()) return;
+    std::vector<Rgb> colors;
     for (int code = 0; code < 256; ++code) {
         const float grey = static_cast<float>(code) / 255.0F;
-        table_.push_back({grey, grey, grey});
+        colors.push_back({grey, grey, grey});
     }
-    transform_.apply(table_);
+    transform_.apply(colors);
+    if (!areLights(colors)) return;
+    table_ = std::make_shared<CodeTable>();
+    for (std::size_t code = 0; code < colors.size(); ++code) {
+        (*table_)[0][code] = static_cast<double>(colors[code].r);
+        (*table_)[1][code] = static_cast<double>(colors[code].g);
+        (*table_)[2][code] = static_cast<double>(colors[code].b);
+    }
 }
 
 void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::span<Rgb> row) const {
@@ -138,13 +177,6 @@ void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::sp
         return;
     }
     const std::uint8_t* codes = std::get<std::vector<std::uint8_t>>(image.rgb).data() + 3 * first;
-    if (!table_.empty()) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            row[i] = {table_[codes[3 * i]].r, table_[codes[3 * i + 1]].g,
-                      table_[codes[3 * i + 2]].b};
-        }
-        return;
-    }
     constexpr float kScale = 1.0F / 255.0F;
     for (std::size_t i = 0; i < row.size(); ++i) {
         row[i] = {static_cast<float>(codes[3 * i]) * kScale,
@@ -162,22 +194,33 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
                         image.width, image.height));
     }
     const auto columns = static_cast<std::size_t>(image.width);
-    std::vector<Rgb> row(columns);
+    const auto* codes = std::get_if<std::vector<std::uint8_t>>(&image.rgb);
+    const CodeTable* table = codes != nullptr ? linearizer.table() : nullptr;
+    std::vector<Rgb> colors(table == nullptr ? columns : 0);
     std::vector<Sum> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     std::size_t leftOut = 0;
     for (int y = 0; y < image.height; ++y) {
-        linearizer.linearize(image, static_cast<std::size_t>(y) * columns, row);
-        const bool allValid = areLights(row);
-        if (!allValid) {
-            leftOut += columns - static_cast<std::size_t>(std::ranges::count_if(row, isLight));
+        const std::size_t first = static_cast<std::size_t>(y) * columns;
+        bool allValid = true;
+        if (table == nullptr) {
+            linearizer.linearize(image, first, colors);
+            allValid = areLights(colors);
+            if (!allValid) {
+                leftOut +=
+                    columns - static_cast<std::size_t>(std::ranges::count_if(colors, isLight));
+            }
         }
-        const int firstTexel = texelOfPixel(y, image.height, height);
-        for (int texel = firstTexel; texel < height; ++texel) {
+        for (int texel = texelOfPixel(y, image.height, height); texel < height; ++texel) {
             const double rowShare = share(y, image.height, texel, height);
             if (rowShare == 0) break;
-            addRow(row, allValid, width, rowShare,
-                   std::span(sums).subspan(static_cast<std::size_t>(texel * width),
-                                           static_cast<std::size_t>(width)));
+            const auto row = std::span(sums).subspan(static_cast<std::size_t>(texel * width),
+                                                     static_cast<std::size_t>(width));
+            if (table != nullptr) {
+                addRow(CodedRow(std::span(*codes).subspan(3 * first, 3 * columns), *table),
+                       rowShare, row);
+            } else {
+                addRow(LinearRow(colors, allValid), rowShare, row);
+            }
         }
     }
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();

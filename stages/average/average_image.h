@@ -7,13 +7,16 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace abrdf {
 
+/// Linear light of each code of an 8-bit image, a channel at a time.
+using CodeTable = std::array<std::array<double, 256>, 3>;
+
 /// From a database's encoding to scene-linear light; built once a job, then used from any thread.
-/// Eight-bit images of a per-channel encoding go through a table that the transform filled.
 class Linearizer {
   public:
     explicit Linearizer(ColorTransform toSceneLinear);
@@ -21,9 +24,13 @@ class Linearizer {
     /// Linear colours of pixels [first, first + row.size()) of `image`.
     void linearize(const EncodedImage& image, std::size_t first, std::span<Rgb> row) const;
 
+    /// What the transform makes of 8-bit codes, where each channel depends on itself alone; else
+    /// null.
+    const CodeTable* table() const { return table_.get(); }
+
   private:
     ColorTransform transform_;
-    std::vector<Rgb> table_;  ///< Linear light of each code in each channel; empty where none.
+    std::shared_ptr<CodeTable> table_;
 };
 
 /// Averages an image, in linear light, over width x height texels that share its area evenly;

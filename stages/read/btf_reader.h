@@ -3,6 +3,7 @@
 
 #include "abrdf/angular_grid.h"
 #include "abrdf/atlas_header.h"
+#include "abrdf/brdf_table.h"
 #include "abrdf/encoded_image.h"
 
 #include <cstdint>
@@ -45,6 +46,10 @@ class BtfReader {
 
     /// Bytes of the file of a present pair, where known without reading it; for estimates.
     virtual std::uint64_t bytesOf(std::size_t pair) const = 0;
+
+    /// Where the database is a BRDF in a table: its value at any pair of directions, not only at
+    /// the grid's; else null. Its "images" are 1 x 1, evaluated from it.
+    virtual const BrdfTable* table() const { return nullptr; }
 };
 
 /// Opens a database of any known format.

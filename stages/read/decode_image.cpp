@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/decode_image.h"
 
+#include "stages/read/decode_jpeg.h"
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -91,16 +93,23 @@ bool isLinearFormat(const std::string& name) {
     return extension == "exr" || extension == "hdr" || extension == "rgbe" || extension == "pfm";
 }
 
+void checkImageSize(int width, int height, const std::string& name) {
+    if (width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide) return;
+    throw badImage(name, fmt::format("it declares {} x {} pixels", width, height));
+}
+
 EncodedImage decodeImage(std::span<const char> bytes, const std::string& name) {
+    if (bytes.empty()) throw badImage(name, "the file is empty");
+    if (auto jpeg = decodeJpeg(bytes, name)) return std::move(*jpeg);
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     const std::string format = "image." + lowerExtension(name);
     const auto input = OIIO::ImageInput::open(format, nullptr, &memory);
     if (!input) throw badImage(name, OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.width > kMaxImageSide ||
-        spec.height > kMaxImageSide || spec.depth > 1 || spec.nchannels < 1 || spec.deep) {
-        throw badImage(name, fmt::format("it declares {} x {} pixels of {} channels", spec.width,
-                                         spec.height, spec.nchannels));
+    checkImageSize(spec.width, spec.height, name);
+    if (spec.depth > 1 || spec.nchannels < 1 || spec.deep) {
+        throw badImage(name, fmt::format("it declares {} layers of {} {}channels", spec.depth,
+                                         spec.nchannels, spec.deep ? "deep " : ""));
     }
     EncodedImage image{spec.width, spec.height, {}};
     if (spec.format == OIIO::TypeDesc::UINT8) {

@@ -16,6 +16,10 @@ bool isImageName(const std::string& name);
 /// Throws std::runtime_error for anything that is not a whole image.
 EncodedImage decodeImage(std::span<const char> bytes, const std::string& name);
 
+/// Throws std::runtime_error for a size that no photograph of a material has, before memory is
+/// taken for it.
+void checkImageSize(int width, int height, const std::string& name);
+
 /// True where the format's values are linear already (OpenEXR, Radiance HDR, PFM).
 bool isLinearFormat(const std::string& name);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/file_source.h"
 
+#include "stages/read/zip_archive.h"
+
 #include <fmt/format.h>
-#include <zip.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -19,25 +20,6 @@ namespace {
 
 // No photograph is larger; a declared size above it is a bomb or a lie.
 constexpr std::uint64_t kMaxFileSize = std::uint64_t{1} << 30;
-
-struct ZipCloser {
-    void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-using ZipHandle = std::unique_ptr<zip_t, ZipCloser>;
-
-ZipHandle openZip(const fs::path& path) {
-    int code = 0;
-    ZipHandle archive(zip_open(path.c_str(), ZIP_RDONLY, &code));
-    if (!archive) {
-        zip_error_t error;
-        zip_error_init_with_code(&error, code);
-        const std::string reason = zip_error_strerror(&error);
-        zip_error_fini(&error);
-        throw std::runtime_error(fmt::format(
-            "{}: is not a readable zip archive: {}; fetch it again", path.string(), reason));
-    }
-    return archive;
-}
 
 std::vector<char> readFile(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -61,7 +43,10 @@ std::vector<char> readFile(const fs::path& path) {
 
 /// libzip's handles serve one thread at a time: each reader borrows one of its own.
 struct FileSource::Zip {
+    explicit Zip(const fs::path& archive) : path(archive), file(archive) {}
+
     fs::path path;
+    SharedFile file;
     std::vector<zip_uint64_t> entries;  ///< Index in the archive of each name.
     std::mutex mutex;
     std::vector<ZipHandle> idle;
@@ -75,7 +60,7 @@ struct FileSource::Zip {
                 return handle;
             }
         }
-        return openZip(path);
+        return openZip(file, path);
     }
     void giveBack(ZipHandle handle) {
         const std::lock_guard lock(mutex);
@@ -91,12 +76,10 @@ FileSource::FileSource(const fs::path& path) : path_(path) {
             }
         }
         std::ranges::sort(names_);
-        for (const std::string& name : names_) sizes_.push_back(fs::file_size(path / name));
         return;
     }
-    zip_ = std::make_unique<Zip>();
-    zip_->path = path;
-    ZipHandle archive = openZip(path);
+    zip_ = std::make_unique<Zip>(path);
+    ZipHandle archive = zip_->borrow();
     std::vector<std::pair<std::string, zip_uint64_t>> entries;
     const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
     for (zip_uint64_t i = 0; i < static_cast<zip_uint64_t>(count); ++i) {
@@ -108,10 +91,6 @@ FileSource::FileSource(const fs::path& path) : path_(path) {
     for (auto& [name, entry] : entries) {
         names_.push_back(std::move(name));
         zip_->entries.push_back(entry);
-        zip_stat_t stat;
-        const bool known = zip_stat_index(archive.get(), entry, 0, &stat) == 0 &&
-                           (stat.valid & ZIP_STAT_COMP_SIZE) != 0;
-        sizes_.push_back(known ? stat.comp_size : 0);
     }
     zip_->giveBack(std::move(archive));
 }
@@ -151,6 +130,17 @@ std::vector<char> FileSource::read(std::size_t index) const {
     if (!whole) throw fail("the archive is cut or damaged there; fetch it again");
     zip_->giveBack(std::move(archive));
     return bytes;
+}
+
+std::uint64_t FileSource::sizeOf(std::size_t index) const {
+    if (!zip_) return fs::file_size(path_ / names_[index]);
+    // Asked for one entry at a time: libzip looks at the archive's own file for each.
+    ZipHandle archive = zip_->borrow();
+    zip_stat_t stat;
+    const bool known = zip_stat_index(archive.get(), zip_->entries[index], 0, &stat) == 0 &&
+                       (stat.valid & ZIP_STAT_COMP_SIZE) != 0;
+    zip_->giveBack(std::move(archive));
+    return known ? stat.comp_size : 0;
 }
 
 std::string FileSource::fullName(std::size_t index) const {

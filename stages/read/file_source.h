@@ -27,7 +27,7 @@ class FileSource {
     std::vector<char> read(std::size_t index) const;
 
     /// Bytes of the file names()[index] as stored, without reading it.
-    std::uint64_t sizeOf(std::size_t index) const { return sizes_[index]; }
+    std::uint64_t sizeOf(std::size_t index) const;
 
     /// "ARCHIVE.zip: inner/name" or the file's path: for messages.
     std::string fullName(std::size_t index) const;
@@ -37,7 +37,6 @@ class FileSource {
 
     std::filesystem::path path_;
     std::vector<std::string> names_;
-    std::vector<std::uint64_t> sizes_;
     std::unique_ptr<Zip> zip_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/btf_reader.h"
+#include "stages/read/database_path.h"
 
 #include <fmt/format.h>
 
@@ -12,15 +13,15 @@ namespace abrdf {
 namespace fs = std::filesystem;
 
 // A new format is one file in this folder and one line in each of these two lists.
-bool recognizesUbo2003(const fs::path& path);
-std::unique_ptr<BtfReader> makeUbo2003Reader(const fs::path& path);
+bool recognizesUbo2003(const DatabasePath& path);
+std::unique_ptr<BtfReader> makeUbo2003Reader(const DatabasePath& path);
 
 namespace {
 
 struct Format {
     const char* name;
-    bool (*recognizes)(const fs::path&);
-    std::unique_ptr<BtfReader> (*make)(const fs::path&);
+    bool (*recognizes)(const DatabasePath&);
+    std::unique_ptr<BtfReader> (*make)(const DatabasePath&);
 };
 
 constexpr std::array kFormats{
@@ -42,11 +43,9 @@ std::vector<std::size_t> BtfDescription::missingPairs() const {
 }
 
 std::unique_ptr<BtfReader> openBtf(const fs::path& path) {
-    if (!fs::exists(path)) {
-        throw std::runtime_error(fmt::format("{}: there is no such file or folder", path.string()));
-    }
+    const DatabasePath database(path);
     for (const Format& format : kFormats) {
-        if (format.recognizes(path)) return format.make(path);
+        if (format.recognizes(database)) return format.make(database);
     }
     std::string names;
     for (const Format& format : kFormats) names += fmt::format(" {}", format.name);

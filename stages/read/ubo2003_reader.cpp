@@ -2,10 +2,11 @@
 //
 // UBO2003 (University of Bonn): a folder or zip of tvTTT_pvPPP/NNNNN tlTTT plPPP tvTTT pvPPP.jpg,
 // 81 lights x 81 views, rectified photographs in sRGB, the cosine of theta_i in the values.
+#include "abrdf/for_each_texel.h"
 #include "stages/read/angle_keys.h"
 #include "stages/read/btf_reader.h"
+#include "stages/read/database_path.h"
 #include "stages/read/decode_image.h"
-#include "stages/read/file_source.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +15,6 @@
 #include <stdexcept>
 
 namespace abrdf {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -48,9 +47,9 @@ std::vector<Direction> numbered(DirectionIndex& index) {
 
 class Ubo2003Reader : public BtfReader {
   public:
-    explicit Ubo2003Reader(const fs::path& path) : files_(path) {
+    explicit Ubo2003Reader(const DatabasePath& path) : files_(path.files) {
         description_.format = "UBO2003";
-        description_.source = fs::weakly_canonical(path).filename().string();
+        description_.source = path.name();
         indexFiles();
         readFirstImage();
     }
@@ -59,22 +58,22 @@ class Ubo2003Reader : public BtfReader {
 
     EncodedImage read(std::size_t pair) const override {
         const std::size_t file = fileOfPair_[pair];
-        EncodedImage image = decodeImage(files_.read(file), files_.fullName(file));
+        EncodedImage image = decodeImage(files_->read(file), files_->fullName(file));
         if (image.width != description_.width || image.height != description_.height) {
             throw std::runtime_error(fmt::format(
                 "{}: is {} x {} pixels, the database's first image {} x {}; all must have one size",
-                files_.fullName(file), image.width, image.height, description_.width,
+                files_->fullName(file), image.width, image.height, description_.width,
                 description_.height));
         }
         return image;
     }
 
     std::string fileOf(std::size_t pair) const override {
-        return files_.fullName(fileOfPair_[pair]);
+        return files_->fullName(fileOfPair_[pair]);
     }
 
     std::uint64_t bytesOf(std::size_t pair) const override {
-        return files_.sizeOf(fileOfPair_[pair]);
+        return files_->sizeOf(fileOfPair_[pair]);
     }
 
   private:
@@ -87,12 +86,19 @@ class Ubo2003Reader : public BtfReader {
         std::vector<Photograph> photographs;
         DirectionIndex lights;
         DirectionIndex views;
-        for (std::size_t file = 0; file < files_.names().size(); ++file) {
-            const std::string& name = files_.names()[file];
-            const auto keys = angleKeysFromName(name);
-            if (!keys || !isImageName(name)) continue;
-            const LightAndView pair = {checkedDirection(keys->tl, keys->pl, files_.fullName(file)),
-                                       checkedDirection(keys->tv, keys->pv, files_.fullName(file))};
+        const std::vector<std::string>& names = files_->names();
+        std::vector<std::optional<AngleKeys>> keysOf(names.size());
+        forEachTexelBlock(names.size(), 512, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t file = begin; file < end; ++file) {
+                if (isImageName(names[file])) keysOf[file] = angleKeysFromName(names[file]);
+            }
+        });
+        for (std::size_t file = 0; file < names.size(); ++file) {
+            const std::optional<AngleKeys>& keys = keysOf[file];
+            if (!keys) continue;
+            const LightAndView pair = {
+                checkedDirection(keys->tl, keys->pl, files_->fullName(file)),
+                checkedDirection(keys->tv, keys->pv, files_->fullName(file))};
             photographs.push_back({file, pair});
             lights.emplace(pair.light, 0);
             views.emplace(pair.view, 0);
@@ -101,7 +107,7 @@ class Ubo2003Reader : public BtfReader {
         if (lights.size() * views.size() > 64 * photographs.size() + 65536) {
             throw std::runtime_error(fmt::format(
                 "{}: its {} images have {} light and {} view directions: they do not form a grid",
-                files_.path().string(), photographs.size(), lights.size(), views.size()));
+                files_->path().string(), photographs.size(), lights.size(), views.size()));
         }
         std::vector<Direction> lightList = numbered(lights);
         std::vector<Direction> viewList = numbered(views);
@@ -113,8 +119,8 @@ class Ubo2003Reader : public BtfReader {
                                                                  views.at(photograph.pair.view));
             if (description_.present[pair] != 0) {
                 description_.duplicates.push_back(fmt::format("{} and {}",
-                                                              files_.names()[fileOfPair_[pair]],
-                                                              files_.names()[photograph.file]));
+                                                              files_->names()[fileOfPair_[pair]],
+                                                              files_->names()[photograph.file]));
             }
             description_.present[pair] = 1;
             fileOfPair_[pair] = photograph.file;
@@ -125,29 +131,27 @@ class Ubo2003Reader : public BtfReader {
         const auto first = std::ranges::find(description_.present, std::uint8_t{1});
         const std::size_t file =
             fileOfPair_[static_cast<std::size_t>(first - description_.present.begin())];
-        const EncodedImage image = decodeImage(files_.read(file), files_.fullName(file));
+        const EncodedImage image = decodeImage(files_->read(file), files_->fullName(file));
         description_.width = image.width;
         description_.height = image.height;
         description_.colorSpace =
-            isLinearFormat(files_.names()[file]) ? "Linear Rec.709 (sRGB)" : "sRGB - Texture";
+            isLinearFormat(files_->names()[file]) ? "Linear Rec.709 (sRGB)" : "sRGB - Texture";
     }
 
-    FileSource files_;
+    std::shared_ptr<const FileSource> files_;
     BtfDescription description_;
     std::vector<std::size_t> fileOfPair_;
 };
 
 }  // namespace
 
-bool recognizesUbo2003(const fs::path& path) {
-    if (!fs::is_directory(path) && !isZip(path)) return false;
-    const FileSource files(path);
-    return std::ranges::any_of(files.names(), [](const std::string& name) {
-        return isImageName(name) && angleKeysFromName(name);
-    });
+bool recognizesUbo2003(const DatabasePath& path) {
+    return path.files && std::ranges::any_of(path.files->names(), [](const std::string& name) {
+               return isImageName(name) && angleKeysFromName(name);
+           });
 }
 
-std::unique_ptr<BtfReader> makeUbo2003Reader(const fs::path& path) {
+std::unique_ptr<BtfReader> makeUbo2003Reader(const DatabasePath& path) {
     return std::make_unique<Ubo2003Reader>(path);
 }
 

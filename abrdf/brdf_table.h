@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abrdf/direction.h"
+#include "color/rgb.h"
+
+namespace abrdf {
+
+/// A tabulated BRDF with an interpolation of its own: one texel, known at every pair of directions.
+class BrdfTable {
+  public:
+    virtual ~BrdfTable() = default;
+
+    /// Reflectance factor times cos(theta_i), pi f cos(theta_i), in the table's colour space; from
+    /// any thread. NaN where the table has no data.
+    virtual Rgb evaluate(const LightAndView& pair) const = 0;
+};
+
+}  // namespace abrdf

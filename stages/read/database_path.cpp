@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/read/database_path.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace fs = std::filesystem;
+
+DatabasePath::DatabasePath(fs::path where) : path(std::move(where)) {
+    if (!fs::exists(path)) {
+        throw std::runtime_error(fmt::format("{}: there is no such file or folder", path.string()));
+    }
+    if (fs::is_directory(path) || isZip(path)) {
+        files = std::make_shared<const FileSource>(path);
+        return;
+    }
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
+    }
+    constexpr std::size_t kHead = 4096;
+    head.resize(kHead);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+}
+
+std::string DatabasePath::name() const {
+    return fs::weakly_canonical(path).filename().string();
+}
+
+}  // namespace abrdf

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "stages/read/file_source.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace abrdf {
+
+/// What lies at a path, looked at once for all readers: they recognize a database by the names of
+/// its files or by a file's first bytes.
+struct DatabasePath {
+    /// Throws std::runtime_error that names `path` where there is nothing or it cannot be read.
+    explicit DatabasePath(std::filesystem::path path);
+
+    std::filesystem::path path;
+    std::shared_ptr<const FileSource> files;  ///< Of a folder or a .zip; else null.
+    std::string head;                         ///< The first 4096 bytes of another file.
+
+    /// The file's or folder's own name.
+    std::string name() const;
+};
+
+}  // namespace abrdf
