@@ -2,6 +2,7 @@
 #include "abrdf/angular_interpolation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -65,6 +66,7 @@ DirectionWeights AngularInterpolation::weights(Direction target) const {
 void AngularInterpolation::addRing(const Ring& ring, Radians phi, double weight,
                                    DirectionWeights& result) const {
     const std::size_t n = ring.indices.size();
+    assert(n > 0);
     const Radians wanted = wrappedAzimuth(phi);
     // The last one at or before `wanted`, around the circle.
     std::size_t k = n - 1;

@@ -96,14 +96,14 @@ Job prepare(const ConvertOptions& options) {
     return job;
 }
 
-/// Rows of texels that are reconstructed and written at once: whole tiles, about 64 MB of values.
+/// Rows of texels that are reconstructed and written at once: whole tiles, about 16 MB of values.
 int rowsAtOnce(const Job& job, int tileHeight) {
     const AtlasLayout layout = job.layout();
     if (layout.kind == AtlasKind::kSpatial) return layout.texelsHigh;
     const std::uint64_t rowBytes =
         sizeof(Rgb) * job.grid.pairCount() * static_cast<std::uint64_t>(layout.texelsWide);
     const int rowsOfTile = tileHeight / layout.lights;
-    const auto tiles = static_cast<int>((std::uint64_t{64} << 20) /
+    const auto tiles = static_cast<int>((std::uint64_t{16} << 20) /
                                         (rowBytes * static_cast<std::uint64_t>(rowsOfTile)));
     return std::min(layout.texelsHigh, rowsOfTile * std::max(1, tiles));
 }

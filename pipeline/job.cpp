@@ -35,17 +35,21 @@ namespace {
 /// The slices can be interpolated between measured elevations only.
 void checkElevations(const SlicePlan& plan, const OpenedInput& input) {
     const auto check = [&](const std::vector<Direction>& directions, const char* what) {
-        const auto [least, greatest] =
-            std::ranges::minmax(directions, {}, [](const Direction& d) { return d.theta; });
+        Radians least = directions.front().theta;
+        Radians greatest = least;
+        for (const Direction& d : directions) {
+            least = std::min(least, d.theta);
+            greatest = std::max(greatest, d.theta);
+        }
         for (const Radians theta : plan.elevations) {
             constexpr Radians kRounding = radiansFromDegrees(0.1);
-            if (theta >= least.theta - kRounding && theta <= greatest.theta + kRounding) continue;
+            if (theta >= least - kRounding && theta <= greatest + kRounding) continue;
             throw std::runtime_error(fmt::format(
                 "{}: the plan's elevation of {:g} degrees lies outside the measured {} directions, "
                 "whose theta goes from {:g} to {:g} degrees; choose others with --elevations, or "
                 "--method measured",
                 input.description().source, degreesFromRadians(theta), what,
-                degreesFromRadians(least.theta), degreesFromRadians(greatest.theta)));
+                degreesFromRadians(least), degreesFromRadians(greatest)));
         }
     };
     check(input.description().grid.lights(), "light");

@@ -129,7 +129,7 @@ ZipHandle openZip(const SharedFile& file, const std::filesystem::path& name) {
     auto cursor = std::make_unique<Cursor>(Cursor{&file, 0, 0, {}, {}});
     zip_source_t* source = zip_source_function_create(onZipCommand, cursor.get(), &error);
     if (source == nullptr) throw fault();
-    cursor.release();  // The source's, from here on.
+    static_cast<void>(cursor.release());  // The source's, from here on.
     ZipHandle archive(zip_open_from_source(source, ZIP_RDONLY, &error));
     if (!archive) {
         zip_source_free(source);

@@ -15,8 +15,7 @@ void collectPairs(SampleSet& set) {
         for (const WeightedPair& source : sources) set.pairs.push_back(source.pair);
     }
     std::ranges::sort(set.pairs);
-    const auto rest = std::ranges::unique(set.pairs);
-    set.pairs.erase(rest.begin(), rest.end());
+    set.pairs.erase(std::unique(set.pairs.begin(), set.pairs.end()), set.pairs.end());
 }
 
 void addMeasuredPair(SampleSet& set, const AngularGrid& grid, std::size_t pair) {

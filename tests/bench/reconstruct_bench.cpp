@@ -53,13 +53,17 @@ void oneTexel(benchmark::State& state) {
 }
 BENCHMARK(oneTexel)->Unit(benchmark::kMicrosecond)->Repetitions(5)->ReportAggregatesOnly();
 
-/// The stage as convert() calls it, memory of the result included: texels, threads.
+/// The stage as convert() calls it, in tiles of 20 MB, memory of the result included: texels,
+/// threads.
 void stage(benchmark::State& state) {
+    constexpr std::int64_t kTile = 256;
     const abrdf::ThreadLimit limit(static_cast<int>(state.range(1)));
-    const AbrdfTile samples = samplesOf(static_cast<std::size_t>(state.range(0)));
+    const AbrdfTile samples = samplesOf(static_cast<std::size_t>(std::min(kTile, state.range(0))));
     for (auto _ : state) {
-        auto result = abrdf::reconstructTexels(samples, grid(), published());
-        benchmark::DoNotOptimize(result);
+        for (std::int64_t texel = 0; texel < state.range(0); texel += kTile) {
+            auto result = abrdf::reconstructTexels(samples, grid(), published());
+            benchmark::DoNotOptimize(result);
+        }
     }
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * state.range(0));
 }
