@@ -57,7 +57,8 @@ TEST_SUITE_BEGIN("unit");
 
 TEST_CASE("a job that fails at an image names it, leaves the old atlas, and nothing else") {
     const TemporaryFolder folder;
-    const SyntheticBtf btf = smallBtf();
+    SyntheticBtf btf = smallBtf();
+    btf.extension = "jpg";
     writeSyntheticBtf(folder.path() / "btf", btf);
     const fs::path out = folder.path() / "out";
     fs::create_directory(out);
