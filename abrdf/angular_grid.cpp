@@ -72,6 +72,13 @@ Radians AngularGrid::maxTheta() const {
     return theta;
 }
 
+std::vector<LightAndView> pairsOf(const AngularGrid& grid) {
+    std::vector<LightAndView> pairs;
+    pairs.reserve(grid.pairCount());
+    for (std::size_t i = 0; i < grid.pairCount(); ++i) pairs.push_back(grid.pair(i));
+    return pairs;
+}
+
 std::vector<Direction> ubo81Directions() {
     return directionsOnRings({{0, 1}, {15, 6}, {30, 12}, {45, 18}, {60, 20}, {75, 24}});
 }

@@ -47,6 +47,9 @@ class AngularGrid {
     std::vector<Direction> views_;
 };
 
+/// All pairs of the grid, in their order.
+std::vector<LightAndView> pairsOf(const AngularGrid& grid);
+
 /// UBO2003 and UTIA BTF: theta 0, 15 .. 75 degrees with 1, 6, 12, 18, 20, 24 azimuths.
 std::vector<Direction> ubo81Directions();
 

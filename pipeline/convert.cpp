@@ -84,7 +84,7 @@ Job prepare(const ConvertOptions& options) {
     job.input = openInput(options.input);
     if (options.grid == "input") job.grid = job.input.description().grid;
     job.texels = resolvedTexels(options.texels, job.input.description());
-    job.samples = samplesFor(*job.method, options.plan, job.input);
+    job.samples = samplesFor(*job.method, options.plan, job.input, job.grid);
     job.header = headerOf(job, options);
     const std::int64_t width = std::int64_t{job.texels.width} * job.layout().views;
     const std::int64_t height = std::int64_t{job.texels.height} * job.layout().lights;
@@ -182,7 +182,14 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
 ordered_json planConvert(const ConvertOptions& options) {
     const Job job = prepare(options);
     std::uint64_t inputBytes = 0;
-    for (const std::size_t pair : job.samples.pairs) inputBytes += job.input.reader->bytesOf(pair);
+    const bool hasImages = job.input.reader->table() == nullptr;
+    std::vector<std::string> files;
+    if (hasImages) {
+        for (const std::size_t pair : job.samples.pairs) {
+            inputBytes += job.input.reader->bytesOf(pair);
+            files.push_back(job.input.reader->fileOf(pair));
+        }
+    }
     const std::uint64_t texels = job.layout().texelCount();
     const std::uint64_t values = texels * job.grid.pairCount();
     const std::uint64_t channelBytes = options.pixel == PixelChoice::kFloat ? 4 : 2;
@@ -191,9 +198,6 @@ ordered_json planConvert(const ConvertOptions& options) {
                                       static_cast<std::uint64_t>(job.texels.width);
     ordered_json report = reportOf(job, options);
     report["dry_run"] = true;
-    std::vector<std::string> files;
-    for (const std::size_t pair : job.samples.pairs)
-        files.push_back(job.input.reader->fileOf(pair));
     report["estimate"] = {
         {"bytes_read", inputBytes},
         {"memory", (std::uint64_t{40} << 20) + sizeof(Rgb) * texels * job.samples.pairs.size() +
@@ -206,12 +210,12 @@ ordered_json planConvert(const ConvertOptions& options) {
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
     const auto start = Clock::now();
     Job job = prepare(options);
-    const ReadStack read = readStack(job.input, job.samples.pairs, job.texels, progress);
+    const ReadStack read = readStack(job.input, job.samples, job.texels, progress);
     job.header.counts.nonfinite = read.leftOut;
     const double readSeconds = secondsSince(start);
 
-    const auto reconstructor =
-        job.method->make({options.plan, job.samples, job.input.description().grid, job.grid});
+    const auto reconstructor = job.method->make(
+        {options.plan, job.samples, sampledGrid(*job.method, job.input, job.grid), job.grid});
     PixelType type = options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
     Written written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
     if (!written.fits) {

@@ -32,8 +32,9 @@ Reference readReference(const OpenedInput& input, const EvaluateOptions& options
                         const ProgressSink& progress) {
     const BtfDescription& description = input.description();
     const Texels texels = resolvedTexels(options.texels, description);
-    const SampleSet everything = samplesFor(methodFromName("measured"), options.plan, input);
-    ReadStack read = readStack(input, everything.pairs, texels, progress);
+    const SampleSet everything =
+        samplesFor(methodFromName("measured"), options.plan, input, description.grid);
+    ReadStack read = readStack(input, everything, texels, progress);
     Reference reference{std::move(read.stack),
                         {},
                         description.present,
@@ -103,10 +104,16 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
                             ContactSheet& sheet) {
     const Method& method = methodFromName(name);
     const AngularGrid& grid = input.description().grid;
-    const SampleSet samples = samplesFor(method, options.plan, input);
+    const SampleSet samples = samplesFor(method, options.plan, input, grid);
+    // A table's samples lie off its grid; images are those of the reference.
+    const bool isTable = input.reader->table() != nullptr;
+    const ReadStack own = isTable ? readStack(input, samples, {1, 1}, {}) : ReadStack{};
+    const ImageStack& stack = isTable ? own.stack : reference.stack;
+    const auto sampledOnGrid = isTable && method.wish != SampleWish::kEverything
+                                   ? std::vector<std::size_t>{}
+                                   : samples.pairs;
     const auto reconstructor = method.make({options.plan, samples, grid, grid});
-    const SlicedTexels sliced =
-        sliceTexels(reference.stack, samples, 0, reference.stack.texelCount());
+    const SlicedTexels sliced = sliceTexels(stack, samples, 0, stack.texelCount());
     AbrdfTile abrdfs = reconstructTexels(sliced.samples, grid, *reconstructor).abrdfs;
     forEachTexelBlock(abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {
         reference.toRec709.apply(abrdfs[texel]);
@@ -122,7 +129,7 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
     result["samples"] = samples.count();
     result["images_read"] = samples.pairs.size();
     result.update(jsonOf(accuracy({})));
-    result["unsampled"] = jsonOf(accuracy(samples.pairs));
+    result["unsampled"] = jsonOf(accuracy(sampledOnGrid));
     result["microseconds_per_abrdf"] =
         microsecondsPerAbrdf(*reconstructor, sliced.samples[0], grid.pairCount());
     result["multiply_adds"] = reconstructor->multiplyAdds();

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace abrdf {
@@ -54,6 +55,26 @@ void checkElevations(const SlicePlan& plan, const OpenedInput& input) {
     };
     check(input.description().grid.lights(), "light");
     check(input.description().grid.views(), "view");
+}
+
+/// One "image" of one texel for each sample; values that are no light become NaN, and are counted.
+ReadStack evaluateTable(const BrdfTable& table, const SampleSet& samples,
+                        const ColorTransform& toSceneLinear) {
+    ReadStack result{ImageStack(samples.pairs, 1, 1), 0};
+    std::atomic<std::uint64_t> leftOut = 0;
+    forEachTexel(samples.count(), [&](std::size_t i) {
+        Rgb value = table.evaluate(samples.directions[i]);
+        if (isFinite(value) && !isNegative(value)) {
+            toSceneLinear.apply({&value, 1});
+        } else {
+            constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+            value = {kNaN, kNaN, kNaN};
+            ++leftOut;
+        }
+        result.stack.image(i)[0] = value;
+    });
+    result.leftOut = leftOut;
+    return result;
 }
 
 }  // namespace
@@ -100,7 +121,18 @@ Texels resolvedTexels(Texels texels, const BtfDescription& description) {
     return texels;
 }
 
-SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input) {
+const AngularGrid& sampledGrid(const Method& method, const OpenedInput& input,
+                               const AngularGrid& output) {
+    const bool anywhere = input.reader->table() != nullptr;
+    return anywhere && method.wish == SampleWish::kEverything ? output : input.description().grid;
+}
+
+SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input,
+                     const AngularGrid& output) {
+    if (input.reader->table() != nullptr) {
+        return method.wish == SampleWish::kEverything ? exactSamples(pairsOf(output))
+                                                      : exactSamples(plan.samples());
+    }
     const BtfDescription& description = input.description();
     if (method.wish == SampleWish::kSlices) checkElevations(plan, input);
     SampleSet samples = chooseSamples(plan, description.grid, method.wish);
@@ -110,9 +142,14 @@ SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedIn
     return fillMissing(std::move(samples), description.grid, description.present);
 }
 
-ReadStack readStack(const OpenedInput& input, const std::vector<std::size_t>& pairs, Texels texels,
+ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
                     const ProgressSink& progress) {
-    const Linearizer linearizer(input.colors.transform(input.inputSpace, "scene_linear"));
+    const ColorTransform toSceneLinear = input.colors.transform(input.inputSpace, "scene_linear");
+    if (const BrdfTable* table = input.reader->table()) {
+        return evaluateTable(*table, samples, toSceneLinear);
+    }
+    const std::vector<std::size_t>& pairs = samples.pairs;
+    const Linearizer linearizer(toSceneLinear);
     ReadStack result{ImageStack(pairs, texels.width, texels.height), 0};
     std::atomic<std::uint64_t> leftOut = 0;
     std::atomic<std::size_t> done = 0;

@@ -55,17 +55,25 @@ OpenedInput openInput(const InputOptions& options);
 /// Replaces 0 x 0 by the images' size; throws std::invalid_argument for more texels than pixels.
 Texels resolvedTexels(Texels texels, const BtfDescription& description);
 
-/// The samples for `method`, with missing images filled where that was asked for.
-/// Throws std::runtime_error that counts the missing images and names the first five.
-SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input);
+/// The samples for `method` onto the atlas's grid `output`, with missing images filled where that
+/// was asked for. A BRDF table is sampled where the plan says, or measured where the atlas asks;
+/// source k of its set is sample k. Throws std::runtime_error that counts the missing images and
+/// names the first five.
+SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input,
+                     const AngularGrid& output);
+
+/// The grid that the samples of `method` come from: a table is its own measurement on any grid.
+const AngularGrid& sampledGrid(const Method& method, const OpenedInput& input,
+                               const AngularGrid& output);
 
 struct ReadStack {
     ImageStack stack;
     std::uint64_t leftOut = 0;  ///< Pixels that were NaN, infinite or negative.
 };
 
-/// Reads, linearises and averages the images of `pairs` in parallel; opens no other image.
-ReadStack readStack(const OpenedInput& input, const std::vector<std::size_t>& pairs, Texels texels,
+/// Reads, linearises and averages the images of samples.pairs in parallel, and opens no other
+/// image; a table is evaluated instead, one "image" a sample.
+ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
                     const ProgressSink& progress);
 
 /// "tl030 pl090 tv015 pv060": a pair as the databases write it.

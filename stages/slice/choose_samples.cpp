@@ -72,6 +72,16 @@ SampleSet chooseSamples(const SlicePlan& plan, const AngularGrid& grid, SampleWi
     return set;
 }
 
+SampleSet exactSamples(std::vector<LightAndView> directions) {
+    SampleSet set;
+    set.directions = std::move(directions);
+    for (std::size_t k = 0; k < set.directions.size(); ++k) {
+        set.sources.push_back({{k, 1.0F}});
+        set.pairs.push_back(k);
+    }
+    return set;
+}
+
 std::vector<std::size_t> missingPairs(const SampleSet& set, std::span<const std::uint8_t> present) {
     std::vector<std::size_t> missing;
     for (const std::size_t pair : set.pairs) {

@@ -13,6 +13,10 @@ namespace abrdf {
 /// kSlices is plan.samples()[i]; kMeasuredPairs and kEverything come in the order of the pairs.
 SampleSet chooseSamples(const SlicePlan& plan, const AngularGrid& grid, SampleWish wish);
 
+/// Samples of a database that is known everywhere, exactly where they are wanted: "pair" k is
+/// sample k.
+SampleSet exactSamples(std::vector<LightAndView> directions);
+
 /// Those of set.pairs that the database lacks. present: one flag a pair of the grid.
 std::vector<std::size_t> missingPairs(const SampleSet& set, std::span<const std::uint8_t> present);
 
