@@ -88,6 +88,10 @@ double linearFromSrgb(double encoded) {
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
+double lightness(double luminance) {
+    return 116 * lightnessCurve(std::clamp(luminance, 0.0, 1.0)) - 16;
+}
+
 Lab labFromLinearRec709(Rgb color) {
     const Xyz xyz = xyzFromLinearRec709(clipped(color.r), clipped(color.g), clipped(color.b));
     const double x = lightnessCurve(xyz.x / kWhite.x);

@@ -18,6 +18,9 @@ double srgbEncoded(double linear);
 /// The inverse of srgbEncoded() on [0, 1].
 double linearFromSrgb(double encoded);
 
+/// CIE L* of a grey of this luminance, clipped to [0, 1]; 0 .. 100.
+double lightness(double luminance);
+
 /// Lab of a linear Rec.709 colour clipped to [0, 1], as an sRGB display shows it; white D65.
 Lab labFromLinearRec709(Rgb color);
 

@@ -10,6 +10,7 @@
 namespace abrdf {
 
 // A new method is one file in this folder and one line in each of these two lists.
+std::unique_ptr<Reconstructor> makePrior(const ReconstructionTask& task);
 std::unique_ptr<Reconstructor> makePublished(const ReconstructionTask& task);
 std::unique_ptr<Reconstructor> makeMeasured(const ReconstructionTask& task);
 
@@ -17,9 +18,13 @@ namespace {
 
 constexpr std::array kMethods{
     Method{"measured", "no reconstruction: every image is read; the reference of all comparisons",
-           "a table look-up a pair", SampleWish::kEverything, makeMeasured},
+           "a table look-up a pair", SampleWish::kEverything, false, makeMeasured},
+    Method{
+        "prior",
+        "what random materials with these samples show elsewhere, chosen by the samples themselves",
+        "four to six multiply-adds a pair and sample", SampleWish::kMeasuredPairs, true, makePrior},
     Method{"published", "the poster's method: eight slices, sums of two, radial basis functions",
-           "six multiply-adds a pair", SampleWish::kSlices, makePublished},
+           "six multiply-adds a pair", SampleWish::kSlices, false, makePublished},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abrdf/abrdf_tile.h"
+#include "abrdf/prior_model.h"
 #include "abrdf/sample_set.h"
 #include "abrdf/slice_plan.h"
 
@@ -13,12 +14,23 @@
 
 namespace abrdf {
 
+/// Numbers that methods may heed.
+struct ReconstructOptions {
+    double exposure = 1;    ///< Factor on the values at which errors are weighed, > 0.
+    double noise = 0;       ///< Relative deviation of the samples' noise; larger trusts them less.
+    int rank = 0;           ///< Of `prior`'s maps, 1 .. samples; 0 is full.
+    bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
+};
+
 /// What a method is built from.
 struct ReconstructionTask {
     SlicePlan plan;
-    SampleSet samples;   ///< In the form the method wished for, of this plan.
-    AngularGrid input;   ///< The database's grid.
-    AngularGrid output;  ///< The atlas's grid.
+    SampleSet samples;                        ///< In the form the method wished for, of this plan.
+    AngularGrid input;                        ///< The database's grid.
+    AngularGrid output;                       ///< The atlas's grid.
+    std::vector<Rgb> mean;                    ///< Of the material's samples over all its texels.
+    std::shared_ptr<const PriorModel> prior;  ///< For methods that need it: of these samples.
+    ReconstructOptions options;
 };
 
 /// Fills in the pairs that were not measured. Built once a job, then used from any thread.
@@ -26,9 +38,14 @@ class Reconstructor {
   public:
     virtual ~Reconstructor() = default;
 
-    /// samples: one texel's values in the order of the task's samples, finite, not negative;
-    /// abrdf: one value for each pair of the output grid. May leave negative values.
-    virtual void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdf) const = 0;
+    /// samples: values of one texel after the other, at most texelsAtOnce(), each in the order of
+    /// the task's samples, finite, not negative; abrdfs: one value for each pair of the output
+    /// grid, texel after texel. May leave negative values. What a texel becomes does not depend on
+    /// its neighbours.
+    virtual void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const = 0;
+
+    /// How many texels are best done together.
+    virtual std::size_t texelsAtOnce() const { return 1; }
 
     /// Multiply-adds a texel, all three channels.
     virtual double multiplyAdds() const = 0;
@@ -40,6 +57,7 @@ struct Method {
     const char* description;  ///< One line for --list-methods.
     const char* cost;         ///< In words, for --list-methods.
     SampleWish wish;
+    bool needsPrior;  ///< Does its task need a prior model?
     std::unique_ptr<Reconstructor> (*make)(const ReconstructionTask& task);
 };
 

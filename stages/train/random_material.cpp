@@ -45,8 +45,8 @@ Lobe randomLobe(Random& random) {
 Diffuse randomDiffuse(Random& random) {
     Diffuse diffuse;
     if (random.chance(0.85)) {
-        diffuse.albedo = asFloat(random.chance(0.5) ? random.uniform(0, 0.7)
-                                                    : random.logUniform(0.005, 0.7));
+        diffuse.albedo =
+            asFloat(random.chance(0.5) ? random.uniform(0, 0.7) : random.logUniform(0.005, 0.7));
     }
     if (!random.chance(0.5)) return diffuse;
     const double which = random.uniform();

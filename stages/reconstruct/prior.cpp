@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `prior`: the conditional mean of log luminance under what random materials show, chroma by
+// kriging (design: estimator.md, 2). Class, kernel and chroma features are chosen once a material,
+// from its mean; a texel then costs a few products with fixed matrices.
+#include "stages/reconstruct/prior_material.h"
+#include "stages/reconstruct/reconstructor.h"
+
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace {
+
+class Prior : public Reconstructor {
+  public:
+    explicit Prior(const ReconstructionTask& task)
+        : model_(task.prior), options_(task.options), material_(*task.prior, task.mean, options_) {}
+
+    void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const override {
+        if (options_.perTexel) {
+            PriorMaterial(*model_, samples, options_).reconstruct(samples, abrdfs);
+        } else {
+            material_.reconstruct(samples, abrdfs);
+        }
+    }
+
+    std::size_t texelsAtOnce() const override { return options_.perTexel ? 1 : 32; }
+    double multiplyAdds() const override { return material_.multiplyAdds(); }
+
+  private:
+    std::shared_ptr<const PriorModel> model_;
+    ReconstructOptions options_;
+    PriorMaterial material_;
+};
+
+}  // namespace
+
+std::unique_ptr<Reconstructor> makePrior(const ReconstructionTask& task) {
+    if (!task.prior || task.prior->samples.size() != task.samples.count() ||
+        task.prior->outputs.size() != task.output.pairCount()) {
+        throw std::invalid_argument(
+            "the prior's model is of another plan or grid than the job's; train one for it");
+    }
+    return std::make_unique<Prior>(task);
+}
+
+}  // namespace abrdf

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/reconstruct/prior_material.h"
+
+#include "abrdf/pair_features.h"
+#include "abrdf/portable_math.h"
+#include "color/delta_e.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abrdf {
+
+namespace {
+
+constexpr auto kFloor = static_cast<float>(kPriorFloor);
+constexpr double kLeastChannel = 0.03;  ///< Of the luminance: exact zeros of a channel are noise.
+constexpr float kLeastScale = 1e-30F;   ///< Of a channel that is not black.
+constexpr std::array kBlends = {0.0F, 0.25F, 0.5F, 0.75F, 1.0F};
+
+Eigen::MatrixX3d matrixOf(std::span<const Rgb> colors) {
+    Eigen::MatrixX3d matrix(static_cast<Eigen::Index>(colors.size()), 3);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        matrix.row(static_cast<Eigen::Index>(i)) << static_cast<double>(colors[i].r),
+            static_cast<double>(colors[i].g), static_cast<double>(colors[i].b);
+    }
+    return matrix;
+}
+
+/// Samples of channel c with the floor that keeps zeros from being outliers of logarithms.
+Eigen::VectorXd channelSamples(const Eigen::MatrixX3d& colors, Eigen::Index c) {
+    return colors.col(c).cwiseMax(kLeastChannel / 3 * colors.rowwise().sum());
+}
+
+/// The prior's covariance of the samples' logarithms: the mixture's.
+Eigen::MatrixXd covarianceOf(const PriorModel& model, const std::vector<PriorTerm>& terms) {
+    const auto n = static_cast<Eigen::Index>(model.samples.size());
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+    for (const PriorTerm& term : terms) {
+        const PriorSpectrum& spectrum = model.classes[term.classIndex].spectra[term.spectrum];
+        const Eigen::VectorXd values = spectrum.eigenvalues.array() + term.nu;
+        sum += term.weight * spectrum.eigenvectors * values.asDiagonal() *
+               spectrum.eigenvectors.transpose();
+    }
+    return sum;
+}
+
+/// Chroma that sums to 3, none of it negative; channels of scale 0 are black.
+Rgb normalized(Rgb chroma, Rgb scale) {
+    const Rgb bounded = {scale.r > 0 ? std::max(chroma.r, 0.0F) : 0,
+                         scale.g > 0 ? std::max(chroma.g, 0.0F) : 0,
+                         scale.b > 0 ? std::max(chroma.b, 0.0F) : 0};
+    return 3 / std::max(bounded.r + bounded.g + bounded.b, 1e-30F) * bounded;
+}
+
+}  // namespace
+
+PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
+                             const ReconstructOptions& options)
+    : scaleFactor_(model.scaleFactor),
+      sampleCount_(model.samples.size()),
+      cap_(static_cast<float>(std::log(3 / model.scaleFactor) + 0.7)) {
+    const Eigen::MatrixX3d colors = matrixOf(mean);
+    const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
+    terms_ = chooseTerms(model, luminance, {options.exposure, options.noise});
+    const ChromaKriging kriging(model.samples, colors, options.exposure);
+    const IsotropicPairs isotropic = isotropicPairs(model.outputs);
+    const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
+    const std::vector<LightAndView>& outputs = fewRows ? isotropic.distinct : model.outputs;
+    if (fewRows) rowOf_ = isotropic.rowOf;
+
+    const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
+    offset_ = map.offset;
+    luminance_ = LowRankMatrix(map.matrix, covarianceOf(model, terms_), options.rank);
+    chooseBlend(model, colors, options.exposure, kriging.leaveOneOut());
+    // The material's own luminance at the outputs is a feature of its chroma.
+    Eigen::VectorXd atOutputs = Eigen::VectorXd::Zero(offset_.size());
+    const LogSamples logs = logSamples(model, luminance);
+    if (logs.scale > 0) {
+        const Eigen::VectorXf x = offset_ + map.matrix * logs.z.cast<float>();
+        atOutputs =
+            (x.cast<double>().array().min(static_cast<double>(cap_)).exp() - kPriorFloor).max(0.0) *
+            logs.scale;
+    }
+    const Eigen::MatrixXf chroma = kriging.outputMatrix(outputs, atOutputs);
+    chroma_ = LowRankMatrix(chroma, kriging.covariance(), options.rank);
+}
+
+/// Chroma by kriging and chroma of channels that are estimated like luminance: the blend by which
+/// the samples predict one another best.
+void PriorMaterial::chooseBlend(const PriorModel& model, const Eigen::MatrixX3d& colors,
+                                double exposure, const Eigen::MatrixX3d& kriged) {
+    const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
+    Eigen::MatrixX3d ofChannels(colors.rows(), 3);
+    for (Eigen::Index c = 0; c < 3; ++c) {
+        ofChannels.col(c) =
+            leaveOneOut(model, terms_, channelSamples(colors, c), exposure).values.cwiseMax(1e-9);
+    }
+    ofChannels = normalizedChroma(ofChannels);
+    double best = -1;
+    for (const float blend : kBlends) {
+        const auto share = static_cast<double>(blend);
+        const Eigen::MatrixX3d chroma = (1 - share) * kriged + share * ofChannels;
+        const double error =
+            meanDeltaE(chroma.array().colwise() * luminance.array(), colors, exposure);
+        if (best >= 0 && error >= best - 1e-9) continue;
+        best = error;
+        blend_ = blend;
+    }
+    const Eigen::MatrixX3d chroma =
+        (1 - static_cast<double>(blend_)) * kriged + static_cast<double>(blend_) * ofChannels;
+    const Eigen::VectorXd predicted = leaveOneOut(model, terms_, luminance, exposure).values;
+    leaveOneOutError_ = meanDeltaE(chroma.array().colwise() * predicted.array(), colors, exposure);
+}
+
+void PriorMaterial::addTexel(std::span<const Rgb> samples, Inputs& inputs) const {
+    const Eigen::MatrixX3d colors = matrixOf(samples);
+    TexelScale scale;
+    const auto addLogs = [&](const Eigen::VectorXd& values, std::vector<float>& logs) {
+        const double s = scaleFactor_ * largestMean({values.data(), values.data() + values.size()});
+        const auto inverse = static_cast<float>(s > 0 ? 1 / s : 0);
+        for (const double value : values) {
+            logs.push_back(
+                portable::log(std::max(static_cast<float>(value) * inverse, 0.0F) + kFloor));
+        }
+        return static_cast<float>(s);
+    };
+    scale.luminance = addLogs(colors.rowwise().sum() / 3, inputs.logs[0]);
+    const Eigen::MatrixX3d chroma = chromaOf(colors);
+    const Eigen::RowVector3d mean = chroma.colwise().mean();
+    std::array<float, 3> channel{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto column = static_cast<Eigen::Index>(c);
+        if (blend_ > 0) channel[c] = addLogs(channelSamples(colors, column), inputs.logs[c + 1]);
+        channel[c] = colors.col(column).maxCoeff() > 0 ? std::max(channel[c], kLeastScale) : 0;
+        if (c == 2) break;
+        scale.meanChroma[c] = static_cast<float>(mean(column));
+        for (Eigen::Index i = 0; i < chroma.rows(); ++i) {
+            inputs.chroma[c].push_back(static_cast<float>(chroma(i, column) - mean(column)));
+        }
+    }
+    scale.channel = {channel[0], channel[1], channel[2]};
+    inputs.scales.push_back(scale);
+}
+
+/// Rows of some panels: x of each texel's luminance and channels, and its chroma about its mean.
+struct PriorMaterial::Products {
+    std::size_t stride = 0;
+    std::array<std::vector<float>, 4> logs;
+    std::array<std::vector<float>, 2> chroma;
+    const float* offset = nullptr;
+};
+
+PriorMaterial::Products PriorMaterial::multiply(const Inputs& inputs, std::size_t firstPanel,
+                                                std::size_t panels) const {
+    Products products;
+    products.stride = panels * PackedMatrix::kPanel;
+    products.offset = offset_.data() + firstPanel * PackedMatrix::kPanel;
+    const auto apply = [&](const LowRankMatrix& matrix, const std::vector<float>& vectors) {
+        std::vector<float> result(inputs.scales.size() * products.stride);
+        matrix.multiply(vectors, firstPanel, panels, result.data(), products.stride);
+        return result;
+    };
+    for (std::size_t i = 0; i < (blend_ > 0 ? 4 : 1); ++i) {
+        products.logs[i] = apply(luminance_, inputs.logs[i]);
+    }
+    for (std::size_t c = 0; c < (blend_ < 1 ? 2 : 0); ++c) {
+        products.chroma[c] = apply(chroma_, inputs.chroma[c]);
+    }
+    return products;
+}
+
+Rgb PriorMaterial::colorOf(const Products& products, const TexelScale& scale, std::size_t texel,
+                           std::size_t row) const {
+    const std::size_t place = texel * products.stride + row;
+    const auto light = [&](std::size_t i, float unit) {
+        const float x = std::min(products.logs[i][place] + products.offset[row], cap_);
+        return std::max(portable::exp(x) - kFloor, 0.0F) * unit;
+    };
+    Rgb chroma;
+    if (blend_ < 1) {
+        const float r = scale.meanChroma[0] + products.chroma[0][place];
+        const float g = scale.meanChroma[1] + products.chroma[1][place];
+        chroma += (1 - blend_) * normalized({r, g, 3 - r - g}, scale.channel);
+    }
+    if (blend_ > 0) {
+        constexpr float kLeast = 1e-9F;
+        chroma += blend_ * normalized({std::max(light(1, scale.channel.r), kLeast),
+                                       std::max(light(2, scale.channel.g), kLeast),
+                                       std::max(light(3, scale.channel.b), kLeast)},
+                                      scale.channel);
+    }
+    return light(0, scale.luminance) * chroma;
+}
+
+void PriorMaterial::reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const {
+    Inputs inputs;
+    for (std::size_t first = 0; first < samples.size(); first += sampleCount_) {
+        addTexel(samples.subspan(first, sampleCount_), inputs);
+    }
+    for (std::vector<float>& logs : inputs.logs) logs = luminance_.reduced(logs);
+    for (std::vector<float>& chroma : inputs.chroma) chroma = chroma_.reduced(chroma);
+
+    const std::size_t texels = inputs.scales.size();
+    const std::size_t rows = luminance_.rows();
+    std::vector<Rgb> distinct(rowOf_.empty() ? 0 : texels * rows);
+    const std::span<Rgb> target = rowOf_.empty() ? abrdfs : std::span(distinct);
+    constexpr std::size_t kPanels = 8;  // Their products stay in a core's own cache.
+    for (std::size_t panel = 0; panel < luminance_.panels(); panel += kPanels) {
+        const std::size_t first = panel * PackedMatrix::kPanel;
+        const Products products =
+            multiply(inputs, panel, std::min(kPanels, luminance_.panels() - panel));
+        const std::size_t count = std::min(products.stride, rows - first);
+        for (std::size_t t = 0; t < texels; ++t) {
+            for (std::size_t i = 0; i < count; ++i) {
+                target[t * rows + first + i] = colorOf(products, inputs.scales[t], t, i);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < (rowOf_.empty() ? 0 : abrdfs.size()); ++i) {
+        abrdfs[i] = distinct[i / rowOf_.size() * rows + rowOf_[i % rowOf_.size()]];
+    }
+}
+
+double PriorMaterial::multiplyAdds() const {
+    return (blend_ > 0 ? 4 : 1) * luminance_.multiplyAdds() +
+           (blend_ < 1 ? 2 : 0) * chroma_.multiplyAdds();
+}
+
+}  // namespace abrdf

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "color/rgb.h"
+#include "stages/reconstruct/low_rank.h"
+#include "stages/reconstruct/prior_chroma.h"
+#include "stages/reconstruct/prior_map.h"
+#include "stages/reconstruct/reconstructor.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace abrdf {
+
+/// The prior fitted to one material: fixed matrices for luminance and chroma of its texels.
+class PriorMaterial {
+  public:
+    /// mean: the material's average samples, in the model's order.
+    PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
+                  const ReconstructOptions& options);
+
+    /// As Reconstructor::reconstruct(), for any number of texels.
+    void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const;
+
+    double multiplyAdds() const;
+
+    const std::vector<PriorTerm>& terms() const { return terms_; }
+
+    /// Mean CIE 1976 Delta E of the samples against their predictions from one another.
+    double leaveOneOutError() const { return leaveOneOutError_; }
+
+  private:
+    /// One texel's numbers beside its vectors.
+    struct TexelScale {
+        float luminance = 0;                ///< Scale of its luminance; 0: the texel is black.
+        Rgb channel;                        ///< Of its channels; 0: that channel is black.
+        std::array<float, 2> meanChroma{};  ///< Of R and G; all three sum to 3.
+    };
+    /// What the samples of several texels become: vectors for luminance_ and chroma_.
+    struct Inputs {
+        std::vector<TexelScale> scales;
+        std::array<std::vector<float>, 4> logs;    ///< Of luminance, R, G and B.
+        std::array<std::vector<float>, 2> chroma;  ///< Of R and G, about its mean.
+    };
+    struct Products;
+
+    void chooseBlend(const PriorModel& model, const Eigen::MatrixX3d& colors, double exposure,
+                     const Eigen::MatrixX3d& kriged);
+    void addTexel(std::span<const Rgb> samples, Inputs& inputs) const;
+    Products multiply(const Inputs& inputs, std::size_t firstPanel, std::size_t panels) const;
+    Rgb colorOf(const Products& products, const TexelScale& scale, std::size_t texel,
+                std::size_t row) const;
+
+    double scaleFactor_;
+    std::size_t sampleCount_;
+    /// ln of the largest value relative to the scale: three times the largest samples, and a
+    /// little room for a highlight between them.
+    float cap_;
+    std::vector<std::size_t> rowOf_;  ///< Of each output; empty: the outputs are the rows.
+    std::vector<PriorTerm> terms_;
+    Eigen::VectorXf offset_;
+    LowRankMatrix luminance_;
+    LowRankMatrix chroma_;
+    float blend_ = 0;  ///< Share of chroma from channels, beside chroma by kriging.
+    double leaveOneOutError_ = 0;
+};
+
+}  // namespace abrdf
