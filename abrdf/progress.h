@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace abrdf {
@@ -17,5 +18,8 @@ struct ProgressTick {
 
 /// Receives ticks from any thread, out of order; may be empty.
 using ProgressSink = std::function<void(const ProgressTick&)>;
+
+/// Receives what a user should know though the job goes on, a sentence each; may be empty.
+using MessageSink = std::function<void(const std::string&)>;
 
 }  // namespace abrdf

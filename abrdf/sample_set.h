@@ -21,7 +21,8 @@ struct SampleSet {
     std::vector<LightAndView> directions;            ///< Where each sample is.
     std::vector<std::vector<WeightedPair>> sources;  ///< What it is made of; weights sum to 1.
     std::vector<std::size_t> pairs;                  ///< All pairs in `sources`, ascending, once.
-    std::size_t filled = 0;  ///< Missing pairs that were replaced by their neighbours.
+    std::size_t filled = 0;  ///< Missing pairs that were replaced by their neighbours, or dropped.
+    std::vector<LightAndView> dropped;  ///< Samples that were wanted, and are missing.
 
     std::size_t count() const { return directions.size(); }
 };

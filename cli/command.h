@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abrdf/progress.h"
-#include "pipeline/job.h"
+#include "pipeline/reconstruction.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -34,16 +34,8 @@ void addDemo(CLI::App& app, RunCommand& run);
 /// The input, its colours and missing images: for every command on a database.
 void addInputOptions(CLI::App& command, InputOptions& options);
 
-/// --plan and each of its numbers. Call chosenPlan() after parsing.
-struct PlanOptions {
-    std::string plan = "poster";
-    std::vector<double> elevations;
-    double alpha = 90;
-    int axial = 0;     ///< 0: the plan's own.
-    int diagonal = 0;  ///< 0: the plan's own.
-};
-void addPlanOptions(CLI::App& command, PlanOptions& options);
-SlicePlan chosenPlan(const PlanOptions& options);
+/// The method's plan, model and numbers: for every command that reconstructs.
+void addMethodOptions(CLI::App& command, MethodChoice& choice);
 
 /// Prints `report` on stdout as JSON where --json was given, else `text`, and writes --report.
 void deliver(const nlohmann::ordered_json& report, const std::string& text,

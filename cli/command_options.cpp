@@ -3,6 +3,7 @@
 #include "cli/command.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <iostream>
 
@@ -18,35 +19,34 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
                                                            {"fill", MissingImages::kFill}};
     command.add_option("--missing", options.missing, "needed images that are absent: error | fill")
         ->transform(CLI::CheckedTransformer(policies));
+    options.warn = [](const std::string& message) { spdlog::warn(message); };
 }
 
-void addPlanOptions(CLI::App& command, PlanOptions& options) {
-    command.add_option("--plan", options.plan, "which samples to take: poster[:N]")
-        ->capture_default_str();
+void addMethodOptions(CLI::App& command, MethodChoice& choice) {
+    PlanChoice& plan = choice.plan;
+    command.add_option("--plan", plan.name,
+                       "which samples to take: eight | poster | slices16 | greedy, with :N for at "
+                       "most N, or a file (else the method's own)");
     command
-        .add_option("--elevations", options.elevations,
-                    "the slices' two elevations in degrees, as 30,75")
+        .add_option("--elevations", plan.elevations,
+                    "plan poster: its two elevations in degrees (30,75)")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command.add_option("--alpha", options.alpha, "the slices' offset in degrees")
+    command.add_option("--alpha", plan.alpha, "plan poster: its offset in degrees (90)");
+    command.add_option("--axial", plan.axial, "plan poster: samples of an axial slice (24)");
+    command.add_option("--diagonal", plan.diagonal,
+                       "plan poster: samples of a diagonal slice (27)");
+    command.add_option("--model", choice.prior.file,
+                       "the prior's model from abrdf train (else the cache, else trained now)");
+    command.add_option("--noise", choice.noise,
+                       "relative noise of the samples (else 0.01 for 8-bit images, 0 for others)");
+    command
+        .add_option("--rank", choice.options.rank,
+                    "of the prior's maps: less is faster and less accurate; 0 is full")
+        ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command.add_option("--axial", options.axial, "samples of an axial slice (24)");
-    command.add_option("--diagonal", options.diagonal, "samples of a diagonal slice (27)");
-}
-
-SlicePlan chosenPlan(const PlanOptions& options) {
-    SlicePlan plan = slicePlanFromName(options.plan);
-    if (!options.elevations.empty()) {
-        plan.elevations.clear();
-        for (const double degrees : options.elevations) {
-            plan.elevations.push_back(radiansFromDegrees(degrees));
-        }
-    }
-    plan.alpha = radiansFromDegrees(options.alpha);
-    if (options.axial != 0) plan.axialCount = options.axial;
-    if (options.diagonal != 0) plan.diagonalCount = options.diagonal;
-    checkPlan(plan);
-    return plan;
+    command.add_flag("--per-texel", choice.options.perTexel,
+                     "let the prior choose its model anew for each texel: slow");
 }
 
 void deliver(const nlohmann::ordered_json& report, const std::string& text,

@@ -12,7 +12,6 @@ namespace {
 
 struct Options {
     ConvertOptions job;
-    PlanOptions plan;
     std::string texels = "1x1";
     std::string layout = "angular";
     std::string compression = "zip";
@@ -56,7 +55,6 @@ void warnOfCounts(const nlohmann::ordered_json& counts) {
 }
 
 int run(Options options, const SharedOptions& shared, const ProgressSink& progress) {
-    options.job.plan = chosenPlan(options.plan);
     options.job.texels = texelsFromName(options.texels);
     options.job.layout = atlasKindFromName(options.layout);
     options.job.compression = compressionFromName(options.compression);
@@ -82,13 +80,14 @@ int run(Options options, const SharedOptions& shared, const ProgressSink& progre
 
 void addConvert(CLI::App& app, RunCommand& runCommand) {
     CLI::App* command = app.add_subcommand("convert", "a BTF stack to a reconstructed ABRDF atlas");
-    command->footer("Example: abrdf convert corduroy.zip -o corduroy.exr --method published");
+    command->footer("Example: abrdf convert corduroy.zip -o corduroy.exr --plan greedy");
     auto options = std::make_shared<Options>();
     ConvertOptions& job = options->job;
     addInputOptions(*command, job.input);
-    addPlanOptions(*command, options->plan);
+    addMethodOptions(*command, job.method);
     command->add_option("-o,--output", job.output, "the atlas, an OpenEXR file")->required();
-    command->add_option("--method", job.method, "see abrdf --list-methods")->capture_default_str();
+    command->add_option("--method", job.method.name, "see abrdf --list-methods")
+        ->capture_default_str();
     command
         ->add_option("--grid", job.grid,
                      "input | ubo81 | dome151 | utia288 | regular:THETASxPHIS | a CSV of "

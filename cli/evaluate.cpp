@@ -9,15 +9,14 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     CLI::App* command =
         app.add_subcommand("evaluate", "reconstructions against the full measurement");
     command->footer(
-        "Example: abrdf evaluate corduroy.zip --method measured,published --sheet sheet.png");
+        "Example: abrdf evaluate corduroy.zip --method published,prior --sheet sheet.png");
     struct Options {
         EvaluateOptions job;
-        PlanOptions plan;
         std::string texels = "1x1";
     };
     auto options = std::make_shared<Options>();
     addInputOptions(*command, options->job.input);
-    addPlanOptions(*command, options->plan);
+    addMethodOptions(*command, options->job.choice);
     command->add_option("--method,--methods", options->job.methods, "one or more, with commas")
         ->delimiter(',')
         ->allow_extra_args(false)
@@ -30,7 +29,6 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     command->add_option("--sheet", options->job.sheet, "contact sheet, a PNG");
     command->callback([options, &runCommand] {
         runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {
-            options->job.plan = chosenPlan(options->plan);
             options->job.texels = texelsFromName(options->texels);
             const auto report = evaluate(options->job, progress);
             deliver(report, tableOf(report), shared);

@@ -28,13 +28,13 @@ double secondsSince(Clock::time_point start) {
 /// All that is decided before the first image is decoded.
 struct Job {
     OpenedInput input;
-    const Method* method = nullptr;
-    SampleSet samples;
+    PlannedMethod planned;
     AngularGrid grid;
     Texels texels;
     AtlasHeader header;
 
     AtlasLayout layout() const { return header.layout; }
+    const SampleSet& samples() const { return planned.samples; }
 };
 
 std::uint64_t extrapolatedPairs(const AngularGrid& grid, Radians maxMeasuredTheta) {
@@ -54,9 +54,9 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
                      static_cast<int>(job.grid.lights().size()),
                      static_cast<int>(job.grid.views().size())};
     header.grid = job.grid;
-    header.method = options.method;
-    header.plan = job.method->wish == SampleWish::kEverything ? "all" : options.plan.name;
-    header.samples = static_cast<int>(job.samples.count());
+    header.method = options.method.name;
+    header.plan = job.planned.planName();
+    header.samples = static_cast<int>(job.samples().count());
     header.source = description.source;
     header.cosine = options.divideCosine && description.cosine == Cosine::kKept
                         ? Cosine::kDivided
@@ -65,26 +65,25 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
     header.colorSpace = job.input.colors.spaceName(options.outputSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
-    header.counts.missing = job.samples.filled;
+    header.counts.missing = job.samples().filled;
     header.counts.extrapolated =
         extrapolatedPairs(job.grid, header.maxMeasuredTheta) * header.layout.texelCount();
     return header;
 }
 
-Job prepare(const ConvertOptions& options) {
+Job prepare(const ConvertOptions& options, const ProgressSink& progress) {
     checkOutputPath(options.output);
     if (fs::exists(options.output) && fs::equivalent(options.output, options.input.input)) {
         throw std::runtime_error(fmt::format("{}: is the input as well; choose another output",
                                              options.output.string()));
     }
     Job job;
-    job.method = &methodFromName(options.method);
-    checkPlan(options.plan);
+    methodFromName(options.method.name);
     if (options.grid != "input") job.grid = gridFromName(options.grid);
     job.input = openInput(options.input);
     if (options.grid == "input") job.grid = job.input.description().grid;
     job.texels = resolvedTexels(options.texels, job.input.description());
-    job.samples = samplesFor(*job.method, options.plan, job.input, job.grid);
+    job.planned = planMethod(options.method, job.input, job.grid, progress);
     job.header = headerOf(job, options);
     const std::int64_t width = std::int64_t{job.texels.width} * job.layout().views;
     const std::int64_t height = std::int64_t{job.texels.height} * job.layout().lights;
@@ -130,7 +129,7 @@ Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor&
         const auto width = static_cast<std::size_t>(layout.texelsWide);
         const auto start = Clock::now();
         const SlicedTexels sliced =
-            sliceTexels(stack, job.samples, static_cast<std::size_t>(row) * width,
+            sliceTexels(stack, job.samples(), static_cast<std::size_t>(row) * width,
                         static_cast<std::size_t>(count) * width);
         ReconstructedTexels texels = reconstructTexels(sliced.samples, job.grid, reconstructor);
         written.reconstructSeconds += secondsSince(start);
@@ -169,9 +168,9 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
                        {"cosine", nameOf(description.cosine)},
                        {"color_space", job.input.inputSpace}};
     report["plan"] = {{"name", job.header.plan},
-                      {"samples", job.samples.count()},
-                      {"images_read", job.samples.pairs.size()}};
-    report["method"] = options.method;
+                      {"samples", job.samples().count()},
+                      {"images_read", job.samples().pairs.size()}};
+    report["method"] = options.method.name;
     report["texels"] = {job.texels.width, job.texels.height};
     report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
     return report;
@@ -180,12 +179,12 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
 }  // namespace
 
 ordered_json planConvert(const ConvertOptions& options) {
-    const Job job = prepare(options);
+    const Job job = prepare(options, {});
     std::uint64_t inputBytes = 0;
     const bool hasImages = job.input.reader->table() == nullptr;
     std::vector<std::string> files;
     if (hasImages) {
-        for (const std::size_t pair : job.samples.pairs) {
+        for (const std::size_t pair : job.samples().pairs) {
             inputBytes += job.input.reader->bytesOf(pair);
             files.push_back(job.input.reader->fileOf(pair));
         }
@@ -200,7 +199,7 @@ ordered_json planConvert(const ConvertOptions& options) {
     report["dry_run"] = true;
     report["estimate"] = {
         {"bytes_read", inputBytes},
-        {"memory", (std::uint64_t{40} << 20) + sizeof(Rgb) * texels * job.samples.pairs.size() +
+        {"memory", (std::uint64_t{40} << 20) + sizeof(Rgb) * texels * job.samples().pairs.size() +
                        (2 * sizeof(Rgb) + 3 * channelBytes) * blockValues},
         {"output_bytes_uncompressed", 3 * channelBytes * values}};
     report["images"] = files;
@@ -209,13 +208,13 @@ ordered_json planConvert(const ConvertOptions& options) {
 
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
     const auto start = Clock::now();
-    Job job = prepare(options);
-    const ReadStack read = readStack(job.input, job.samples, job.texels, progress);
+    Job job = prepare(options, progress);
+    const ReadStack read = readStack(job.input, job.samples(), job.texels, progress);
     job.header.counts.nonfinite = read.leftOut;
     const double readSeconds = secondsSince(start);
 
-    const auto reconstructor = job.method->make(
-        {options.plan, job.samples, sampledGrid(*job.method, job.input, job.grid), job.grid});
+    const auto reconstructor =
+        buildReconstructor(options.method, job.planned, job.input, read.stack, progress);
     PixelType type = options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
     Written written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
     if (!written.fits) {

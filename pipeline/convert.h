@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abrdf/atlas_header.h"
-#include "pipeline/job.h"
+#include "pipeline/reconstruction.h"
 #include "stages/write/atlas_writer.h"
 
 #include <nlohmann/json.hpp>
@@ -19,8 +19,7 @@ enum class PixelChoice {
 struct ConvertOptions {
     InputOptions input;
     std::filesystem::path output;
-    std::string method = "published";
-    SlicePlan plan;
+    MethodChoice method;
     std::string grid = "input";  ///< Or what gridFromName() takes.
     Texels texels;
     AtlasKind layout = AtlasKind::kAngular;

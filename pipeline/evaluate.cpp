@@ -33,7 +33,7 @@ Reference readReference(const OpenedInput& input, const EvaluateOptions& options
     const BtfDescription& description = input.description();
     const Texels texels = resolvedTexels(options.texels, description);
     const SampleSet everything =
-        samplesFor(methodFromName("measured"), options.plan, input, description.grid);
+        samplesFor(methodFromName("measured"), {}, input, description.grid);
     ReadStack read = readStack(input, everything, texels, progress);
     Reference reference{std::move(read.stack),
                         {},
@@ -59,18 +59,22 @@ std::vector<std::uint8_t> maskOf(const Reference& reference,
     return mask;
 }
 
-/// Median of warm repetitions on one core, in microseconds.
-double microsecondsPerAbrdf(const Reconstructor& reconstructor, std::span<const Rgb> samples,
+/// Median of warm repetitions on one core, in microseconds: of as many texels as the method likes
+/// to do together, or as there are.
+double microsecondsPerAbrdf(const Reconstructor& reconstructor, const AbrdfTile& samples,
                             std::size_t pairs) {
     using Clock = std::chrono::steady_clock;
-    std::vector<Rgb> abrdf(pairs);
+    const std::size_t texels = std::min(reconstructor.texelsAtOnce(), samples.texelCount());
+    std::vector<Rgb> abrdfs(pairs * texels);
     std::vector<double> times;
     const auto start = Clock::now();
     while (times.size() < 5 ||
            (Clock::now() - start < std::chrono::milliseconds(50) && times.size() < 1000)) {
         const auto before = Clock::now();
-        reconstructor.reconstruct(samples, abrdf);
-        times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
+        reconstructor.reconstruct(samples.values().first(samples.valuesPerTexel() * texels),
+                                  abrdfs);
+        times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count() /
+                        static_cast<double>(texels));
     }
     std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
     return times[times.size() / 2];
@@ -101,10 +105,14 @@ std::vector<Rgb> meanAbrdf(const AbrdfTile& tile) {
 
 ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
                             const Reference& reference, const EvaluateOptions& options,
-                            ContactSheet& sheet) {
-    const Method& method = methodFromName(name);
+                            ContactSheet& sheet, const ProgressSink& progress) {
     const AngularGrid& grid = input.description().grid;
-    const SampleSet samples = samplesFor(method, options.plan, input, grid);
+    MethodChoice choice = options.choice;
+    choice.name = name;
+    choice.options.exposure = options.exposure;
+    const PlannedMethod planned = planMethod(choice, input, grid, progress);
+    const Method& method = *planned.method;
+    const SampleSet& samples = planned.samples;
     // A table's samples lie off its grid; images are those of the reference.
     const bool isTable = input.reader->table() != nullptr;
     const ReadStack own = isTable ? readStack(input, samples, {1, 1}, {}) : ReadStack{};
@@ -112,7 +120,7 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
     const auto sampledOnGrid = isTable && method.wish != SampleWish::kEverything
                                    ? std::vector<std::size_t>{}
                                    : samples.pairs;
-    const auto reconstructor = method.make({options.plan, samples, grid, grid});
+    const auto reconstructor = buildReconstructor(choice, planned, input, stack, progress);
     const SlicedTexels sliced = sliceTexels(stack, samples, 0, stack.texelCount());
     AbrdfTile abrdfs = reconstructTexels(sliced.samples, grid, *reconstructor).abrdfs;
     forEachTexelBlock(abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {
@@ -125,13 +133,13 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
     };
     ordered_json result;
     result["method"] = name;
-    result["plan"] = method.wish == SampleWish::kEverything ? "all" : options.plan.name;
+    result["plan"] = planned.planName();
     result["samples"] = samples.count();
     result["images_read"] = samples.pairs.size();
     result.update(jsonOf(accuracy({})));
     result["unsampled"] = jsonOf(accuracy(sampledOnGrid));
     result["microseconds_per_abrdf"] =
-        microsecondsPerAbrdf(*reconstructor, sliced.samples[0], grid.pairCount());
+        microsecondsPerAbrdf(*reconstructor, sliced.samples, grid.pairCount());
     result["multiply_adds"] = reconstructor->multiplyAdds();
     sheet.rows.push_back(
         {fmt::format("{}, plan {}, {} samples", name, result["plan"].get<std::string>(),
@@ -145,7 +153,6 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
 }  // namespace
 
 ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progress) {
-    checkPlan(options.plan);
     if (!(options.exposure > 0)) throw std::invalid_argument("the exposure must be above 0");
     for (const std::string& method : options.methods) methodFromName(method);
     if (!options.sheet.empty()) checkOutputPath(options.sheet);
@@ -169,7 +176,8 @@ ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progre
     report["exposure"] = options.exposure;
     report["results"] = ordered_json::array();
     for (const std::string& method : options.methods) {
-        report["results"].push_back(evaluateMethod(method, input, reference, options, sheet));
+        report["results"].push_back(
+            evaluateMethod(method, input, reference, options, sheet, progress));
     }
     if (!options.sheet.empty()) writeContactSheet(options.sheet, sheet);
     return report;

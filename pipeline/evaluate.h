@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pipeline/job.h"
+#include "pipeline/reconstruction.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,8 +10,8 @@ namespace abrdf {
 /// Reconstructions against the full measurement of one database, on its own grid.
 struct EvaluateOptions {
     InputOptions input;
-    std::vector<std::string> methods = {"published"};
-    SlicePlan plan;
+    std::vector<std::string> methods = {"published", "prior"};
+    MethodChoice choice;  ///< Of each method; its name is not used.
     Texels texels;
     double exposure = 1;          ///< Factor on the values for the natural exposure, > 0.
     std::filesystem::path sheet;  ///< Contact sheet (PNG); empty: none.

@@ -97,6 +97,7 @@ Texels texelsFromName(const std::string& name) {
 OpenedInput openInput(const InputOptions& options) {
     OpenedInput input;
     input.missing = options.missing;
+    input.warn = options.warn;
     callBoth([&] { input.reader = openBtf(options.input); },
              [&] { input.colors = ColorConfig::load(options.colorConfig); });
     const BtfDescription& description = input.description();
@@ -109,6 +110,10 @@ OpenedInput openInput(const InputOptions& options) {
     input.inputSpace = input.colors.spaceName(options.inputSpace.empty() ? description.colorSpace
                                                                          : options.inputSpace);
     return input;
+}
+
+bool OpenedInput::hasCodes() const {
+    return reader->table() == nullptr && description().colorSpace == "sRGB - Texture";
 }
 
 Texels resolvedTexels(Texels texels, const BtfDescription& description) {
@@ -127,19 +132,22 @@ const AngularGrid& sampledGrid(const Method& method, const OpenedInput& input,
     return anywhere && method.wish == SampleWish::kEverything ? output : input.description().grid;
 }
 
-SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input,
+SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedInput& input,
                      const AngularGrid& output) {
     if (input.reader->table() != nullptr) {
         return method.wish == SampleWish::kEverything ? exactSamples(pairsOf(output))
-                                                      : exactSamples(plan.samples());
+                                                      : exactSamples(plan.samples);
     }
     const BtfDescription& description = input.description();
-    if (method.wish == SampleWish::kSlices) checkElevations(plan, input);
+    if (method.wish == SampleWish::kSlices) checkElevations(*plan.posterSlices, input);
     SampleSet samples = chooseSamples(plan, description.grid, method.wish);
     const std::vector<std::size_t> missing = missingPairs(samples, description.present);
     if (missing.empty()) return samples;
     if (input.missing == MissingImages::kError) failMissing(missing, input);
-    return fillMissing(std::move(samples), description.grid, description.present);
+    // Methods that take any set of pairs do without the missing ones.
+    return method.wish == SampleWish::kMeasuredPairs
+               ? dropMissing(std::move(samples), description.present)
+               : fillMissing(std::move(samples), description.grid, description.present);
 }
 
 ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,

@@ -3,8 +3,8 @@
 
 #include "abrdf/image_stack.h"
 #include "abrdf/progress.h"
+#include "abrdf/sample_plan.h"
 #include "abrdf/sample_set.h"
-#include "abrdf/slice_plan.h"
 #include "color/color_config.h"
 #include "stages/read/btf_reader.h"
 #include "stages/reconstruct/reconstructor.h"
@@ -27,6 +27,7 @@ struct InputOptions {
     std::optional<std::filesystem::path> colorConfig;  ///< Else $OCIO, else the shipped config.
     std::string inputSpace;  ///< OpenColorIO name; empty: the database's own convention.
     MissingImages missing = MissingImages::kError;
+    MessageSink warn;  ///< Told of what goes on though it should not be.
 };
 
 /// Spatial resolution of a job; 0 x 0 stands for every texel of the images.
@@ -44,7 +45,10 @@ struct OpenedInput {
     ColorConfig colors;
     std::string inputSpace;  ///< The config's own name of it.
     MissingImages missing = MissingImages::kError;
+    MessageSink warn;
 
+    /// True where the images hold codes of few bits, not light.
+    bool hasCodes() const;
     const BtfDescription& description() const { return reader->description(); }
 };
 
@@ -59,7 +63,7 @@ Texels resolvedTexels(Texels texels, const BtfDescription& description);
 /// was asked for. A BRDF table is sampled where the plan says, or measured where the atlas asks;
 /// source k of its set is sample k. Throws std::runtime_error that counts the missing images and
 /// names the first five.
-SampleSet samplesFor(const Method& method, const SlicePlan& plan, const OpenedInput& input,
+SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedInput& input,
                      const AngularGrid& output);
 
 /// The grid that the samples of `method` come from: a table is its own measurement on any grid.

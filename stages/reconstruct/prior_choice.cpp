@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace abrdf {
 
@@ -14,12 +16,14 @@ namespace {
 
 constexpr std::array kNus = {3e-4, 3e-3, 3e-2};
 
-/// Sharpness of the choice: a model this much (relatively) worse than the best has 1/e its weight.
-constexpr double kSharpness = 0.06;
-constexpr double kLeastWeight = 0.01;
+/// Members of the mixture, counted with repetition; more gains nothing.
+constexpr std::size_t kMembers = 12;
 
-/// Lightness differences below which no model is better than another: the scale of "equal".
-constexpr double kEqualLightness = 1e-3;
+/// Samples in no more subspaces (theta_i, theta_v) than this lie on slices.
+constexpr std::size_t kSliceSubspaces = 16;
+constexpr double kLikelihoodShare = 0.25;
+constexpr double kLikelihoodTemperature = 0.1;
+constexpr double kLeastWeight = 0.01;
 
 Eigen::VectorXd valuesFromLogs(const Eigen::VectorXd& logs, double scale) {
     return (logs.array().exp() - kPriorFloor).max(0.0) * scale;
@@ -34,29 +38,80 @@ double meanLightnessDifference(const Eigen::VectorXd& a, const Eigen::VectorXd& 
     return sum / static_cast<double>(a.size());
 }
 
-/// How far each sample is from its prediction by the others under a term, in logarithms:
-/// a_i / A_ii with a = A (z - mean).
-Eigen::VectorXd residualOf(const PriorModel& model, const PriorTerm& term,
-                           const Eigen::VectorXd& z) {
+/// How a term sees the samples.
+struct Fit {
+    /// How far each sample is from its prediction by the others, in logarithms: a_i / A_ii with
+    /// a = A (z - mean).
+    Eigen::VectorXd residual;
+    double logLikelihood = 0;  ///< But for a constant.
+};
+
+Fit fitOf(const PriorModel& model, const PriorTerm& term, const Eigen::VectorXd& z) {
     const PriorClass& priorClass = model.classes[term.classIndex];
     const PriorSpectrum& spectrum = priorClass.spectra[term.spectrum];
     const Eigen::ArrayXd inverse = 1 / (spectrum.eigenvalues.array() + term.nu);
-    const Eigen::VectorXd along = spectrum.eigenvectors.transpose() * (z - priorClass.sampleMean);
-    const Eigen::VectorXd a = spectrum.eigenvectors * (inverse * along.array()).matrix();
-    return a.cwiseQuotient(spectrum.eigenvectors.array().square().matrix() * inverse.matrix());
+    const Eigen::ArrayXd along = spectrum.eigenvectors.transpose() * (z - priorClass.sampleMean);
+    const Eigen::VectorXd a = spectrum.eigenvectors * (inverse * along).matrix();
+    const Eigen::VectorXd diagonal =
+        spectrum.eigenvectors.array().square().matrix() * inverse.matrix();
+    return {a.cwiseQuotient(diagonal),
+            0.5 * (inverse.log().sum() - (along.square() * inverse).sum())};
 }
 
-/// Errors become weights; those below kLeastWeight are dropped, the larger ones come first.
-std::vector<PriorTerm> weighted(std::vector<PriorTerm> terms, const std::vector<double>& errors) {
-    const double least = *std::ranges::min_element(errors);
+bool lieOnSlices(const std::vector<LightAndView>& samples) {
+    std::set<std::pair<long, long>> subspaces;
+    for (const LightAndView& s : samples) {
+        subspaces.emplace(std::lround(10 * degreesFromRadians(s.light.theta)),
+                          std::lround(10 * degreesFromRadians(s.view.theta)));
+    }
+    return subspaces.size() <= kSliceSubspaces;
+}
+
+/// Shares of the fits in the mixture that grows by the member with which the residuals, averaged,
+/// are least in lightness.
+std::vector<double> grownShares(const std::vector<Fit>& fits, const LogSamples& logs,
+                                const Eigen::VectorXd& luminance, double exposure) {
+    std::vector<double> shares(fits.size());
+    std::vector<double> errors(fits.size());
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(logs.z.size());
+    for (std::size_t member = 1; member <= kMembers; ++member) {
+        forEachTexelBlock(fits.size(), 3, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Eigen::VectorXd residual =
+                    (sum + fits[i].residual) / static_cast<double>(member);
+                errors[i] = meanLightnessDifference(valuesFromLogs(logs.z - residual, logs.scale),
+                                                    luminance, exposure);
+            }
+        });
+        const auto best =
+            static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin());
+        shares[best] += 1.0 / static_cast<double>(kMembers);
+        sum += fits[best].residual;
+    }
+    return shares;
+}
+
+void addLikelihood(const std::vector<Fit>& fits, std::vector<double>& shares) {
+    const double most = std::ranges::max_element(fits, {}, &Fit::logLikelihood)->logLikelihood;
+    const auto likelihood = [&](const Fit& fit) {
+        return std::exp(kLikelihoodTemperature * (fit.logLikelihood - most));
+    };
+    double sum = 0;
+    for (const Fit& fit : fits) sum += likelihood(fit);
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        shares[i] =
+            (1 - kLikelihoodShare) * shares[i] + kLikelihoodShare * likelihood(fits[i]) / sum;
+    }
+}
+
+/// Terms with their shares; small ones are dropped, the larger come first.
+std::vector<PriorTerm> weighted(std::vector<PriorTerm> terms, const std::vector<double>& shares) {
     double sum = 0;
     for (std::size_t i = 0; i < terms.size(); ++i) {
-        terms[i].weight = std::exp(-(errors[i] - least) / (kSharpness * (least + kEqualLightness)));
-        sum += terms[i].weight;
+        terms[i].weight = shares[i];
+        sum += shares[i] < kLeastWeight ? 0 : shares[i];
     }
-    std::erase_if(terms, [&](const PriorTerm& t) { return t.weight < kLeastWeight * sum; });
-    sum = 0;
-    for (const PriorTerm& term : terms) sum += term.weight;
+    std::erase_if(terms, [](const PriorTerm& term) { return term.weight < kLeastWeight; });
     for (PriorTerm& term : terms) term.weight /= sum;
     std::ranges::stable_sort(terms, std::ranges::greater(), &PriorTerm::weight);
     return terms;
@@ -91,16 +146,14 @@ std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::VectorX
         }
     }
     const LogSamples logs = logSamples(model, luminance);
-    if (logs.scale <= 0) return weighted({terms.front()}, {0});
-    std::vector<double> errors(terms.size());
+    if (logs.scale <= 0) return weighted({terms.front()}, {1});
+    std::vector<Fit> fits(terms.size());
     forEachTexelBlock(terms.size(), kNus.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Eigen::VectorXd predicted = logs.z - residualOf(model, terms[i], logs.z);
-            errors[i] = meanLightnessDifference(valuesFromLogs(predicted, logs.scale), luminance,
-                                                options.exposure);
-        }
+        for (std::size_t i = begin; i < end; ++i) fits[i] = fitOf(model, terms[i], logs.z);
     });
-    return weighted(std::move(terms), errors);
+    std::vector<double> shares = grownShares(fits, logs, luminance, options.exposure);
+    if (lieOnSlices(model.samples)) addLikelihood(fits, shares);
+    return weighted(std::move(terms), shares);
 }
 
 LeaveOneOut leaveOneOut(const PriorModel& model, const std::vector<PriorTerm>& terms,
@@ -109,7 +162,7 @@ LeaveOneOut leaveOneOut(const PriorModel& model, const std::vector<PriorTerm>& t
     if (logs.scale <= 0) return {values, 0};
     Eigen::VectorXd residual = Eigen::VectorXd::Zero(values.size());
     for (const PriorTerm& term : terms) {
-        residual += term.weight * residualOf(model, term, logs.z);
+        residual += term.weight * fitOf(model, term, logs.z).residual;
     }
     LeaveOneOut result;
     result.values = valuesFromLogs(logs.z - residual, logs.scale);

@@ -36,8 +36,9 @@ struct ChoiceOptions {
     double noise = 0;     ///< Relative deviation of the samples' noise; its square adds to nu.
 };
 
-/// The mixture for a material, from its samples' luminance: the larger weights first, at least
-/// one. Design: estimator.md, 2.4.
+/// The mixture for a material, from its samples' luminance, the larger weights first: members are
+/// added one by one, each time the one with which the samples predict one another best. Where the
+/// samples lie on slices, and so predict one another too well, a quarter goes by likelihood.
 std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::VectorXd& luminance,
                                    const ChoiceOptions& options);
 

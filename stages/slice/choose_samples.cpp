@@ -48,7 +48,7 @@ std::vector<WeightedPair> neighbours(std::size_t pair, const AngularGrid& grid,
 
 }  // namespace
 
-SampleSet chooseSamples(const SlicePlan& plan, const AngularGrid& grid, SampleWish wish) {
+SampleSet chooseSamples(const SamplePlan& plan, const AngularGrid& grid, SampleWish wish) {
     SampleSet set;
     if (wish == SampleWish::kEverything) {
         for (std::size_t pair = 0; pair < grid.pairCount(); ++pair)
@@ -56,13 +56,13 @@ SampleSet chooseSamples(const SlicePlan& plan, const AngularGrid& grid, SampleWi
     } else if (wish == SampleWish::kSlices) {
         const AngularInterpolation lights(grid.lights());
         const AngularInterpolation views(grid.views());
-        set.directions = plan.samples();
+        set.directions = plan.samples;
         for (const LightAndView& wanted : set.directions) {
             set.sources.push_back(pairWeights(grid, lights, views, wanted));
         }
     } else {
         std::map<std::size_t, bool> nearest;
-        for (const LightAndView& wanted : plan.samples()) {
+        for (const LightAndView& wanted : plan.samples) {
             nearest[grid.pairIndex(nearestDirection(grid.lights(), wanted.light),
                                    nearestDirection(grid.views(), wanted.view))] = true;
         }
@@ -88,6 +88,24 @@ std::vector<std::size_t> missingPairs(const SampleSet& set, std::span<const std:
         if (present[pair] == 0) missing.push_back(pair);
     }
     return missing;
+}
+
+SampleSet dropMissing(SampleSet set, std::span<const std::uint8_t> present) {
+    SampleSet kept;
+    for (std::size_t k = 0; k < set.count(); ++k) {
+        const bool isThere = std::ranges::all_of(
+            set.sources[k], [&](const WeightedPair& source) { return present[source.pair] != 0; });
+        if (!isThere) {
+            kept.dropped.push_back(set.directions[k]);
+            continue;
+        }
+        kept.directions.push_back(set.directions[k]);
+        kept.sources.push_back(std::move(set.sources[k]));
+    }
+    if (kept.count() == 0) throw std::runtime_error("none of the plan's images is present");
+    kept.filled = kept.dropped.size();
+    collectPairs(kept);
+    return kept;
 }
 
 SampleSet fillMissing(SampleSet set, const AngularGrid& grid,

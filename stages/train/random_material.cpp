@@ -211,7 +211,7 @@ std::vector<Facet> ribbedFacets(float groove, Random& random) {
 /// `amplitude`. Of an isotropic material it varies with theta_i, theta_v and light . view alone.
 std::vector<CosineWave> randomField(bool isIsotropic, Random& random) {
     constexpr int kWaves = 16;
-    const double amplitude = random.logUniform(0.03, 0.35);
+    const double amplitude = random.logUniform(0.03, 0.15);
     const double length = random.uniform(0.4, 1.5);
     std::vector<CosineWave> field;
     for (int k = 0; k < kWaves; ++k) {

@@ -19,7 +19,10 @@ namespace abrdf {
 namespace {
 
 /// Pairs at which a material's highlight is looked for.
-constexpr std::size_t kProbes = 6561;
+constexpr std::size_t kProbes = 2200;
+
+/// A highlight that all samples miss is learned as this many times the largest of them.
+constexpr double kMostOfTop = 10;
 
 /// The materials of one class, and what they show at the samples.
 struct Lesson {
@@ -112,7 +115,7 @@ PriorClass learn(const Lesson& lesson, double scaleFactor, const std::vector<Lig
         const std::size_t size = std::min(kRows, outputs.size() - first);
         Eigen::MatrixXf x =
             valuesOf(lesson.materials, vectorPairs(std::span(outputs).subspan(first, size)));
-        takeLogarithms(x, lesson, scaleFactor, 3);
+        takeLogarithms(x, lesson, scaleFactor, kMostOfTop);
         const auto block =
             Eigen::seqN(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(size));
         learned.outputMean(block) = centered(x);

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abrdf/sample_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace {
+
+/// Both slices of one subspace; angles in degrees.
+struct SubspaceSlices {
+    double thetaLight, thetaView;
+    double axialOffset;
+    int axialCount;
+    double axialStart;
+    double diagonalOffset;
+    int diagonalCount;
+    double diagonalPower;
+};
+
+Slice axialOf(const SubspaceSlices& s, int count) {
+    return {SliceKind::kAxial,
+            radiansFromDegrees(s.thetaLight),
+            radiansFromDegrees(s.thetaView),
+            radiansFromDegrees(s.axialOffset),
+            count,
+            radiansFromDegrees(s.axialStart),
+            1};
+}
+
+Slice diagonalOf(const SubspaceSlices& s, int count) {
+    return {SliceKind::kDiagonal,
+            radiansFromDegrees(s.thetaLight),
+            radiansFromDegrees(s.thetaView),
+            radiansFromDegrees(s.diagonalOffset),
+            count,
+            0,
+            s.diagonalPower};
+}
+
+/// `count` scaled down, at least one.
+int scaled(int count, double factor) {
+    return std::max(1, static_cast<int>(std::floor(count * std::min(factor, 1.0))));
+}
+
+/// An even count of a diagonal repeats azimuth differences.
+int oddNotAbove(int count) {
+    return count % 2 == 0 ? count - 1 : count;
+}
+
+std::vector<LightAndView> samplesOf(std::span<const SubspaceSlices> subspaces, double factor) {
+    std::vector<LightAndView> samples;
+    for (const SubspaceSlices& s : subspaces) {
+        for (const Slice& slice : {axialOf(s, scaled(s.axialCount, factor)),
+                                   diagonalOf(s, oddNotAbove(scaled(s.diagonalCount, factor)))}) {
+            const std::vector<LightAndView> own = samplesOf(slice);
+            samples.insert(samples.end(), own.begin(), own.end());
+        }
+    }
+    return samples;
+}
+
+/// All slices scaled down until no more than `bound` samples are left.
+SamplePlan boundedPlan(const std::string& name, std::span<const SubspaceSlices> subspaces,
+                       std::size_t bound) {
+    int whole = 0;
+    for (const SubspaceSlices& s : subspaces) whole += s.axialCount + s.diagonalCount;
+    const std::size_t most = bound > 0 ? bound : kPlanSamples;
+    double factor = static_cast<double>(most) / whole;
+    SamplePlan plan{name, samplesOf(subspaces, factor), {}};
+    while (plan.samples.size() > most && factor > 0.01) {
+        factor *= 0.99;
+        plan.samples = samplesOf(subspaces, factor);
+    }
+    if (bound > 0) plan.name += fmt::format(":{}", bound);
+    if (plan.samples.size() > most) {
+        throw std::invalid_argument(fmt::format(
+            "the plan {} needs at least {} samples, one a slice", name, 2 * subspaces.size()));
+    }
+    return plan;
+}
+
+// Chosen by search for least error of `prior` on random materials; see tests/bench/README.md.
+constexpr std::array kEight = {
+    SubspaceSlices{45, 45, 150, 23, 82.5, 247.5, 33, 1},
+    SubspaceSlices{45, 75, 45, 19, 15, 52.5, 33, 2},
+    SubspaceSlices{75, 45, 105, 13, 30, 120, 43, 1},
+    SubspaceSlices{75, 75, 120, 11, 75, 277.5, 43, 1},
+};
+
+/// Design: estimator.md, section 4.
+std::array<SubspaceSlices, 16> sixteenSubspaces() {
+    constexpr std::array kElevations = {30.0, 45.0, 60.0, 75.0};
+    constexpr std::array kOffsets = {60.0,  90.0,  120.0, 150.0, 180.0, 120.0, 90.0,  60.0,
+                                     150.0, 180.0, 60.0,  120.0, 90.0,  150.0, 120.0, 90.0};
+    std::array<SubspaceSlices, 16> subspaces{};
+    for (std::size_t i = 0; i < subspaces.size(); ++i) {
+        const auto number = static_cast<double>(i);
+        subspaces[i] = {kElevations[i / 4],
+                        kElevations[i % 4],
+                        kOffsets[i],
+                        4,
+                        std::fmod(37 * number, 90),
+                        std::fmod(67.5 * number, 360),
+                        9,
+                        1.5};
+    }
+    return subspaces;
+}
+
+}  // namespace
+
+PlanName planNameFrom(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    PlanName name{text.substr(0, colon), 0};
+    if (colon == std::string::npos) return name;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, name.bound);
+    if (error != std::errc() || rest != end || name.bound < 8 || name.bound > 100000) {
+        throw std::invalid_argument(fmt::format(
+            "the plan '{}' needs a number of samples from 8 to 100000 after its colon, as {}:204",
+            text, name.base));
+    }
+    return name;
+}
+
+SamplePlan posterPlan(const SlicePlan& slices) {
+    checkPlan(slices);
+    return {slices.name, slices.samples(), slices};
+}
+
+SamplePlan eightPlan(std::size_t bound) {
+    return boundedPlan("eight", kEight, bound);
+}
+
+SamplePlan sixteenSlicesPlan(std::size_t bound) {
+    // 208 wanted samples; where they are snapped to pairs, some fall together.
+    SamplePlan plan = boundedPlan("slices16", sixteenSubspaces(), bound > 0 ? bound : 208);
+    if (bound == 0) plan.name = "slices16";
+    return plan;
+}
+
+SamplePlan pairsPlan(const std::string& name, const AngularGrid& grid,
+                     const std::vector<std::size_t>& pairs) {
+    SamplePlan plan{name, {}, {}};
+    for (const std::size_t pair : pairs) plan.samples.push_back(grid.pair(pair));
+    return plan;
+}
+
+}  // namespace abrdf

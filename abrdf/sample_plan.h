@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abrdf/angular_grid.h"
+#include "abrdf/slice.h"
+#include "abrdf/slice_plan.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abrdf {
+
+/// Which samples of a material to take.
+struct SamplePlan {
+    std::string name;                       ///< As it stands in headers: "eight", "greedy:52".
+    std::vector<LightAndView> samples;      ///< Where they are wanted.
+    std::optional<SlicePlan> posterSlices;  ///< Of the plan `poster`: what `published` works on.
+};
+
+/// "eight:100" -> its name and its bound on samples (0: none given).
+struct PlanName {
+    std::string base;
+    std::size_t bound = 0;
+};
+/// Throws std::invalid_argument where what follows the colon is not a number of at least 8.
+PlanName planNameFrom(const std::string& text);
+
+/// The most samples a named plan takes where no bound is given.
+inline constexpr std::size_t kPlanSamples = 204;
+
+/// The poster's plan with its numbers.
+SamplePlan posterPlan(const SlicePlan& slices);
+
+/// Eight slices in four subspaces whose numbers were chosen for least error of `prior` on random
+/// materials; bound: at most so many samples, 8 .. .
+SamplePlan eightPlan(std::size_t bound);
+
+/// Sixteen subspaces of four elevations, a few samples each: for a goniometer.
+SamplePlan sixteenSlicesPlan(std::size_t bound);
+
+/// The pairs of UBO2003's grid by falling worth to `prior`: any prefix is a good plan.
+/// They were found by greedyPairs() and are built in.
+const std::vector<std::size_t>& greedyPairsOfUbo81();
+
+/// A plan of measured pairs.
+SamplePlan pairsPlan(const std::string& name, const AngularGrid& grid,
+                     const std::vector<std::size_t>& pairs);
+
+}  // namespace abrdf

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/plan_choice.h"
+
+#include "abrdf/content_hash.h"
+#include "abrdf/output_file.h"
+#include "pipeline/plan_file.h"
+#include "pipeline/prior_cache.h"
+#include "stages/train/greedy_pairs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool hasPosterNumbers(const PlanChoice& choice) {
+    return !choice.elevations.empty() || choice.alpha || choice.axial != 0 || choice.diagonal != 0;
+}
+
+SlicePlan posterSlices(const PlanChoice& choice, std::size_t bound) {
+    SlicePlan slices =
+        slicePlanFromName(bound > 0 ? fmt::format("poster:{}", bound) : std::string("poster"));
+    if (!choice.elevations.empty()) {
+        slices.elevations.clear();
+        for (const double degrees : choice.elevations) {
+            slices.elevations.push_back(radiansFromDegrees(degrees));
+        }
+    }
+    if (choice.alpha) slices.alpha = radiansFromDegrees(*choice.alpha);
+    if (choice.axial != 0) slices.axialCount = choice.axial;
+    if (choice.diagonal != 0) slices.diagonalCount = choice.diagonal;
+    return slices;
+}
+
+bool isUbo81(const std::vector<Direction>& directions) {
+    const std::vector<Direction> ubo = ubo81Directions();
+    constexpr Radians kClose = radiansFromDegrees(1);
+    return directions.size() == ubo.size() && std::ranges::all_of(ubo, [&](Direction d) {
+               return angleBetween(d, directions[nearestDirection(directions, d)]) < kClose;
+           });
+}
+
+/// The numbers that a cached list of pairs holds; empty where it is not one.
+std::vector<std::size_t> cachedPairs(const fs::path& file, const AngularGrid& grid,
+                                     std::size_t count) {
+    std::ifstream stream(file);
+    std::vector<std::size_t> pairs;
+    for (std::size_t pair = 0; stream >> pair && pair < grid.pairCount();) pairs.push_back(pair);
+    if (!stream.eof() || pairs.size() != count) pairs.clear();
+    return pairs;
+}
+
+std::vector<std::size_t> computedGreedyPairs(const AngularGrid& grid, std::size_t count,
+                                             const ProgressSink& progress,
+                                             const MessageSink& warn) {
+    std::string key = "greedy pairs 2";
+    for (const LightAndView& pair : pairsOf(grid)) {
+        key += fmt::format(" {:.6f} {:.6f} {:.6f} {:.6f}", pair.light.theta, pair.light.phi,
+                           pair.view.theta, pair.view.phi);
+    }
+    key += fmt::format(" {}", count);
+    const auto folder = cacheFolder();
+    const fs::path file =
+        folder ? *folder / fmt::format("greedy-{:016x}", contentHash(key)) : fs::path();
+    if (folder) {
+        std::vector<std::size_t> pairs = cachedPairs(file, grid, count);
+        if (!pairs.empty()) return pairs;
+    }
+    GreedyOptions options;
+    options.count = count;
+    // A thousand materials on UBO2003's grid; fewer where a grid is so fine that they fill the
+    // memory.
+    options.materials = std::clamp<std::size_t>(1000 * 6561 / grid.pairCount(), 200, 1000);
+    const std::vector<std::size_t> pairs = greedyPairs(grid, {}, options, progress).pairs;
+    if (folder) {
+        try {
+            fs::create_directories(*folder);
+            writeWholeFile(file, fmt::format("{}\n", fmt::join(pairs, "\n")));
+        } catch (const std::runtime_error& error) {
+            if (warn) warn(fmt::format("the plan is not kept: {}", error.what()));
+        }
+    }
+    return pairs;
+}
+
+SamplePlan greedyPlan(const PlanName& name, const AngularGrid& measured,
+                      const ProgressSink& progress, const MessageSink& warn) {
+    const std::size_t count =
+        std::min(name.bound > 0 ? name.bound : kPlanSamples, measured.pairCount());
+    const std::string full = name.bound > 0 ? fmt::format("greedy:{}", name.bound) : "greedy";
+    const std::vector<std::size_t>& builtIn = greedyPairsOfUbo81();
+    if (isUbo81(measured.lights()) && isUbo81(measured.views()) && count <= builtIn.size()) {
+        return pairsPlan(full, AngularGrid(ubo81Directions()),
+                         {builtIn.begin(), builtIn.begin() + static_cast<std::ptrdiff_t>(count)});
+    }
+    return pairsPlan(full, measured, computedGreedyPairs(measured, count, progress, warn));
+}
+
+}  // namespace
+
+SamplePlan planFor(const Method& method, const PlanChoice& choice, const AngularGrid& measured,
+                   const ProgressSink& progress, const MessageSink& warn) {
+    const bool needsPoster = method.wish == SampleWish::kSlices;
+    const bool isFile = !choice.name.empty() && choice.name.find(':') == std::string::npos &&
+                        fs::is_regular_file(choice.name);
+    const std::string own = needsPoster || hasPosterNumbers(choice) ? "poster" : "eight";
+    const PlanName name =
+        isFile ? PlanName{choice.name, 0} : planNameFrom(choice.name.empty() ? own : choice.name);
+    if (hasPosterNumbers(choice) && name.base != "poster") {
+        throw std::invalid_argument(
+            fmt::format("--elevations, --alpha, --axial and --diagonal are numbers of the plan "
+                        "poster, not of {}; write --plan poster with them",
+                        name.base));
+    }
+    if (name.base == "poster") return posterPlan(posterSlices(choice, name.bound));
+    SamplePlan plan;
+    if (isFile) {
+        plan = planFromFile(choice.name);
+    } else if (name.base == "eight") {
+        plan = eightPlan(name.bound);
+    } else if (name.base == "slices16") {
+        plan = sixteenSlicesPlan(name.bound);
+    } else if (name.base == "greedy") {
+        plan =
+            needsPoster ? SamplePlan{"greedy", {}, {}} : greedyPlan(name, measured, progress, warn);
+    } else {
+        throw std::invalid_argument(
+            fmt::format("there is no plan '{}': use eight, poster, slices16 or greedy, with :N for "
+                        "at most N samples, or a file from abrdf plan",
+                        name.base));
+    }
+    if (!needsPoster) return plan;
+    const std::size_t bound = name.bound > 0 ? name.bound : kPlanSamples;
+    if (warn) {
+        warn(
+            fmt::format("the method {} needs the poster's slices: it takes the plan poster with "
+                        "at most {} samples instead of {}",
+                        method.name, bound, name.base));
+    }
+    return posterPlan(posterSlices(choice, bound));
+}
+
+}  // namespace abrdf

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abrdf/progress.h"
+#include "abrdf/sample_plan.h"
+#include "stages/reconstruct/reconstructor.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abrdf {
+
+/// What a user says of the samples to take.
+struct PlanChoice {
+    /// poster, eight, slices16 or greedy, with :N for at most N samples; or a file that
+    /// planFromFile() reads. Empty: the method's own.
+    std::string name;
+    std::vector<double> elevations = {};  ///< Of the plan poster, degrees; empty: its own.
+    std::optional<double> alpha = {};     ///< Of the plan poster, degrees.
+    int axial = 0;                        ///< Of the plan poster; 0: its own.
+    int diagonal = 0;                     ///< Of the plan poster; 0: its own.
+};
+
+/// The plan for a method over measured directions. `published` can only use the poster's plan: with
+/// another one it takes that with as many samples, and warns. A greedy plan for a grid that is not
+/// UBO2003's is computed (ticks: phase "plan") and kept in the cache.
+/// Throws std::invalid_argument for an unknown plan and for impossible numbers.
+SamplePlan planFor(const Method& method, const PlanChoice& choice, const AngularGrid& measured,
+                   const ProgressSink& progress, const MessageSink& warn);
+
+}  // namespace abrdf

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pipeline/job.h"
+#include "pipeline/plan_choice.h"
+#include "pipeline/prior_cache.h"
+
+#include <memory>
+#include <optional>
+
+namespace abrdf {
+
+/// A method and everything that it heeds.
+struct MethodChoice {
+    std::string name = "prior";
+    PlanChoice plan;
+    ReconstructOptions options;
+    /// Relative noise of the samples; nothing: 1 % for 8-bit images, none for float ones.
+    std::optional<double> noise;
+    PriorSource prior;
+};
+
+/// A method with its samples of one input, before anything is read.
+struct PlannedMethod {
+    const Method* method = nullptr;
+    SamplePlan plan;
+    SampleSet samples;
+    AngularGrid input;   ///< Where the samples come from.
+    AngularGrid output;  ///< What is to be filled in.
+
+    /// As headers and reports name the plan.
+    std::string planName() const;
+};
+
+/// Throws as planFor() and samplesFor().
+PlannedMethod planMethod(const MethodChoice& choice, const OpenedInput& input,
+                         const AngularGrid& output, const ProgressSink& progress);
+
+/// The mean over all texels of each sample; a sample that no texel has valid is that of its
+/// nearest valid neighbour.
+std::vector<Rgb> meanSamples(const ImageStack& stack, const SampleSet& samples);
+
+/// The reconstructor for what was planned. stack: holds the samples.
+std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
+                                                  const PlannedMethod& planned,
+                                                  const OpenedInput& input, const ImageStack& stack,
+                                                  const ProgressSink& progress);
+
+}  // namespace abrdf
