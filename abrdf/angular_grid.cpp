@@ -104,12 +104,16 @@ std::vector<Direction> regularDirections(int thetas, int phis) {
     return directionsOnRings(rings);
 }
 
-std::size_t nearestDirection(const std::vector<Direction>& directions, Direction target) {
+NearestDirection::NearestDirection(const std::vector<Direction>& directions) {
+    for (const Direction& d : directions) vectors_.push_back(vectorFromDirection(d));
+}
+
+std::size_t NearestDirection::indexOf(Direction target) const {
     const Imath::V3d wanted = vectorFromDirection(target);
     std::size_t nearest = 0;
     double best = -2;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        const double cosine = vectorFromDirection(directions[i]) ^ wanted;
+    for (std::size_t i = 0; i < vectors_.size(); ++i) {
+        const double cosine = vectors_[i] ^ wanted;
         // Nodes as far away as the nearest within rounding do not displace an earlier one.
         if (cosine > best + 1e-12) {
             best = cosine;
@@ -117,6 +121,10 @@ std::size_t nearestDirection(const std::vector<Direction>& directions, Direction
         }
     }
     return nearest;
+}
+
+std::size_t nearestDirection(const std::vector<Direction>& directions, Direction target) {
+    return NearestDirection(directions).indexOf(target);
 }
 
 AngularGrid gridFromName(const std::string& nameOrFile) {

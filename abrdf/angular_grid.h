@@ -60,7 +60,18 @@ std::vector<Direction> dome151Directions();
 /// A rectangular table: the pole is repeated. regularDirections(6, 48) is the UTIA BRDF grid.
 std::vector<Direction> regularDirections(int thetas, int phis);
 
-/// Index of the direction nearest to `target`; the first one of equals.
+/// Finds the nearest of some directions; the first one of equals.
+class NearestDirection {
+  public:
+    explicit NearestDirection(const std::vector<Direction>& directions);
+
+    std::size_t indexOf(Direction target) const;
+
+  private:
+    std::vector<Imath::V3d> vectors_;
+};
+
+/// The same for one target.
 std::size_t nearestDirection(const std::vector<Direction>& directions, Direction target);
 
 /// ubo81 | dome151 | utia288 | regular:THETASxPHIS, or a CSV file of theta_deg,phi_deg rows.

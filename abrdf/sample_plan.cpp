@@ -7,6 +7,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 
@@ -45,21 +47,19 @@ Slice diagonalOf(const SubspaceSlices& s, int count) {
             s.diagonalPower};
 }
 
-/// `count` scaled down, at least one.
-int scaled(int count, double factor) {
-    return std::max(1, static_cast<int>(std::floor(count * std::min(factor, 1.0))));
+/// Scaled counts; a diagonal keeps an odd one, as even ones repeat azimuth differences.
+int scaledAxial(int count, double factor) {
+    return std::max(1, static_cast<int>(std::lround(count * factor)));
 }
-
-/// An even count of a diagonal repeats azimuth differences.
-int oddNotAbove(int count) {
-    return count % 2 == 0 ? count - 1 : count;
+int scaledDiagonal(int count, double factor) {
+    return std::max(1, 2 * static_cast<int>(std::lround((count * factor - 1) / 2)) + 1);
 }
 
 std::vector<LightAndView> samplesOf(std::span<const SubspaceSlices> subspaces, double factor) {
     std::vector<LightAndView> samples;
     for (const SubspaceSlices& s : subspaces) {
-        for (const Slice& slice : {axialOf(s, scaled(s.axialCount, factor)),
-                                   diagonalOf(s, oddNotAbove(scaled(s.diagonalCount, factor)))}) {
+        for (const Slice& slice : {axialOf(s, scaledAxial(s.axialCount, factor)),
+                                   diagonalOf(s, scaledDiagonal(s.diagonalCount, factor))}) {
             const std::vector<LightAndView> own = samplesOf(slice);
             samples.insert(samples.end(), own.begin(), own.end());
         }
@@ -67,32 +67,48 @@ std::vector<LightAndView> samplesOf(std::span<const SubspaceSlices> subspaces, d
     return samples;
 }
 
-/// All slices scaled down until no more than `bound` samples are left.
+/// How many different samples are left once they are snapped to a grid.
+class DistinctCount {
+  public:
+    explicit DistinctCount(const AngularGrid* grid) : grid_(grid) {
+        if (grid == nullptr) return;
+        lights_.emplace(grid->lights());
+        views_.emplace(grid->views());
+    }
+    std::size_t of(const std::vector<LightAndView>& samples) const {
+        if (grid_ == nullptr) return samples.size();
+        std::set<std::size_t> pairs;
+        for (const LightAndView& s : samples) {
+            pairs.insert(grid_->pairIndex(lights_->indexOf(s.light), views_->indexOf(s.view)));
+        }
+        return pairs.size();
+    }
+
+  private:
+    const AngularGrid* grid_;
+    std::optional<NearestDirection> lights_, views_;
+};
+
+/// All slices with their counts scaled by the largest factor that keeps to the bound.
 SamplePlan boundedPlan(const std::string& name, std::span<const SubspaceSlices> subspaces,
-                       std::size_t bound) {
-    int whole = 0;
-    for (const SubspaceSlices& s : subspaces) whole += s.axialCount + s.diagonalCount;
+                       std::size_t bound, const AngularGrid* snapTo) {
     const std::size_t most = bound > 0 ? bound : kPlanSamples;
-    double factor = static_cast<double>(most) / whole;
-    SamplePlan plan{name, samplesOf(subspaces, factor), {}};
-    while (plan.samples.size() > most && factor > 0.01) {
-        factor *= 0.99;
+    const DistinctCount distinct(snapTo);
+    SamplePlan plan{bound > 0 ? fmt::format("{}:{}", name, bound) : name, {}, {}};
+    for (double factor = bound > kPlanSamples ? 20 : 2; factor > 0.01; factor -= 0.01) {
         plan.samples = samplesOf(subspaces, factor);
+        if (distinct.of(plan.samples) <= most) return plan;
     }
-    if (bound > 0) plan.name += fmt::format(":{}", bound);
-    if (plan.samples.size() > most) {
-        throw std::invalid_argument(fmt::format(
-            "the plan {} needs at least {} samples, one a slice", name, 2 * subspaces.size()));
-    }
-    return plan;
+    throw std::invalid_argument(fmt::format("the plan {} needs at least {} samples, one a slice",
+                                            name, 2 * subspaces.size()));
 }
 
 // Chosen by search for least error of `prior` on random materials; see tests/bench/README.md.
 constexpr std::array kEight = {
     SubspaceSlices{45, 45, 150, 23, 82.5, 247.5, 33, 1},
-    SubspaceSlices{45, 75, 45, 19, 15, 52.5, 33, 2},
-    SubspaceSlices{75, 45, 105, 13, 30, 120, 43, 1},
-    SubspaceSlices{75, 75, 120, 11, 75, 277.5, 43, 1},
+    SubspaceSlices{45, 75, 120, 19, 52.5, 52.5, 31, 1},
+    SubspaceSlices{75, 45, 60, 17, 67.5, 120, 43, 1},
+    SubspaceSlices{75, 75, 120, 11, 45, 277.5, 41, 1},
 };
 
 /// Design: estimator.md, section 4.
@@ -136,15 +152,12 @@ SamplePlan posterPlan(const SlicePlan& slices) {
     return {slices.name, slices.samples(), slices};
 }
 
-SamplePlan eightPlan(std::size_t bound) {
-    return boundedPlan("eight", kEight, bound);
+SamplePlan eightPlan(std::size_t bound, const AngularGrid* snapTo) {
+    return boundedPlan("eight", kEight, bound, snapTo);
 }
 
-SamplePlan sixteenSlicesPlan(std::size_t bound) {
-    // 208 wanted samples; where they are snapped to pairs, some fall together.
-    SamplePlan plan = boundedPlan("slices16", sixteenSubspaces(), bound > 0 ? bound : 208);
-    if (bound == 0) plan.name = "slices16";
-    return plan;
+SamplePlan sixteenSlicesPlan(std::size_t bound, const AngularGrid* snapTo) {
+    return boundedPlan("slices16", sixteenSubspaces(), bound, snapTo);
 }
 
 SamplePlan pairsPlan(const std::string& name, const AngularGrid& grid,

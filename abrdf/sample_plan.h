@@ -33,12 +33,13 @@ inline constexpr std::size_t kPlanSamples = 204;
 /// The poster's plan with its numbers.
 SamplePlan posterPlan(const SlicePlan& slices);
 
-/// Eight slices in four subspaces whose numbers were chosen for least error of `prior` on random
-/// materials; bound: at most so many samples, 8 .. .
-SamplePlan eightPlan(std::size_t bound);
+/// Eight slices in four subspaces whose numbers were chosen for least error of `prior`. bound: at
+/// most so many distinct samples, 8 .. ; where they are to be snapped to the pairs of a grid, it
+/// counts those.
+SamplePlan eightPlan(std::size_t bound, const AngularGrid* snapTo);
 
-/// Sixteen subspaces of four elevations, a few samples each: for a goniometer.
-SamplePlan sixteenSlicesPlan(std::size_t bound);
+/// Sixteen subspaces of four elevations, a few samples each: for a goniometer. bound: as above.
+SamplePlan sixteenSlicesPlan(std::size_t bound, const AngularGrid* snapTo);
 
 /// The pairs of UBO2003's grid by falling worth to `prior`: any prefix is a good plan.
 /// They were found by greedyPairs() and are built in.

@@ -40,6 +40,10 @@ void addMethodOptions(CLI::App& command, MethodChoice& choice) {
                        "the prior's model from abrdf train (else the cache, else trained now)");
     command.add_option("--noise", choice.noise,
                        "relative noise of the samples (else 0.01 for 8-bit images, 0 for others)");
+    command.add_option(
+        "--saturated", choice.saturated,
+        "samples at or above it are clipped and say only \"at least\"; 0: none (else "
+        "0.99 for 8-bit images)");
     command
         .add_option("--rank", choice.options.rank,
                     "of the prior's maps: less is faster and less accurate; 0 is full")

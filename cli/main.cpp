@@ -111,6 +111,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addConvert(app, run);
     abrdf::addInspect(app, run);
     abrdf::addEvaluate(app, run);
+    abrdf::addTrain(app, run);
     abrdf::addDemo(app, run);
     app.require_subcommand(0, 1);
     try {
@@ -128,8 +129,8 @@ int runProgram(std::vector<std::string> words) {
         return 0;
     }
     if (!run) {
-        std::cerr
-            << "abrdf: which command? convert, inspect, evaluate or demo; abrdf --help says more\n";
+        std::cerr << "abrdf: which command? convert, inspect, evaluate, train or demo; abrdf "
+                     "--help says more\n";
         return kWrongUsage;
     }
     return runChosen(run, shared);

@@ -105,7 +105,7 @@ SamplePlan greedyPlan(const PlanName& name, const AngularGrid& measured,
 }  // namespace
 
 SamplePlan planFor(const Method& method, const PlanChoice& choice, const AngularGrid& measured,
-                   const ProgressSink& progress, const MessageSink& warn) {
+                   bool anywhere, const ProgressSink& progress, const MessageSink& warn) {
     const bool needsPoster = method.wish == SampleWish::kSlices;
     const bool isFile = !choice.name.empty() && choice.name.find(':') == std::string::npos &&
                         fs::is_regular_file(choice.name);
@@ -119,13 +119,14 @@ SamplePlan planFor(const Method& method, const PlanChoice& choice, const Angular
                         name.base));
     }
     if (name.base == "poster") return posterPlan(posterSlices(choice, name.bound));
+    const AngularGrid* snapTo = anywhere ? nullptr : &measured;
     SamplePlan plan;
     if (isFile) {
         plan = planFromFile(choice.name);
     } else if (name.base == "eight") {
-        plan = eightPlan(name.bound);
+        plan = eightPlan(name.bound, snapTo);
     } else if (name.base == "slices16") {
-        plan = sixteenSlicesPlan(name.bound);
+        plan = sixteenSlicesPlan(name.bound, snapTo);
     } else if (name.base == "greedy") {
         plan =
             needsPoster ? SamplePlan{"greedy", {}, {}} : greedyPlan(name, measured, progress, warn);

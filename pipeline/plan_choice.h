@@ -22,11 +22,12 @@ struct PlanChoice {
     int diagonal = 0;                     ///< Of the plan poster; 0: its own.
 };
 
-/// The plan for a method over measured directions. `published` can only use the poster's plan: with
+/// The plan for a method over measured directions. anywhere: samples need not be snapped to these.
+/// `published` can only use the poster's plan: with
 /// another one it takes that with as many samples, and warns. A greedy plan for a grid that is not
 /// UBO2003's is computed (ticks: phase "plan") and kept in the cache.
 /// Throws std::invalid_argument for an unknown plan and for impossible numbers.
 SamplePlan planFor(const Method& method, const PlanChoice& choice, const AngularGrid& measured,
-                   const ProgressSink& progress, const MessageSink& warn);
+                   bool anywhere, const ProgressSink& progress, const MessageSink& warn);
 
 }  // namespace abrdf

@@ -55,6 +55,11 @@ std::optional<fs::path> cacheFolder() {
     return {};
 }
 
+fs::path cachedModel(const fs::path& folder, const std::vector<LightAndView>& samples,
+                     const std::vector<LightAndView>& outputs, const TrainOptions& options) {
+    return folder / fmt::format("prior-{:016x}", modelKey(samples, outputs, options));
+}
+
 std::shared_ptr<const PriorModel> priorFor(const std::vector<LightAndView>& samples,
                                            const std::vector<LightAndView>& outputs,
                                            const PriorSource& source, const ProgressSink& progress,
@@ -63,7 +68,7 @@ std::shared_ptr<const PriorModel> priorFor(const std::vector<LightAndView>& samp
     const std::optional<fs::path> folder = cacheFolder();
     fs::path file;
     if (folder) {
-        file = *folder / fmt::format("prior-{:016x}", modelKey(samples, outputs, source.train));
+        file = cachedModel(*folder, samples, outputs, source.train);
         try {
             if (fs::exists(file)) {
                 auto model = std::make_shared<PriorModel>(readModel(file));

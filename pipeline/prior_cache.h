@@ -21,6 +21,12 @@ struct PriorSource {
 /// $XDG_CACHE_HOME/abrdf, else ~/.cache/abrdf; nothing where neither is set.
 std::optional<std::filesystem::path> cacheFolder();
 
+/// The file in the cache for a model.
+std::filesystem::path cachedModel(const std::filesystem::path& folder,
+                                  const std::vector<LightAndView>& samples,
+                                  const std::vector<LightAndView>& outputs,
+                                  const TrainOptions& options);
+
 /// The model for these samples and outputs: from source.file, else from the cache, else trained
 /// and put into the cache, which many processes may do at once. A damaged file in the cache is
 /// trained anew, with a warning.

@@ -12,6 +12,7 @@ namespace abrdf {
 namespace {
 
 constexpr double kNoiseOfCodes = 0.01;
+constexpr double kSaturatedCodes = 0.99;
 
 /// The mean of an image's valid texels; NaN where there is none.
 Rgb meanOf(std::span<const Rgb> image) {
@@ -57,7 +58,8 @@ PlannedMethod planMethod(const MethodChoice& choice, const OpenedInput& input,
     PlannedMethod planned;
     planned.method = &methodFromName(choice.name);
     const AngularGrid& measured = input.description().grid;
-    planned.plan = planFor(*planned.method, choice.plan, measured, progress, input.warn);
+    planned.plan = planFor(*planned.method, choice.plan, measured, input.reader->table() != nullptr,
+                           progress, input.warn);
     planned.samples = samplesFor(*planned.method, planned.plan, input, output);
     planned.input = sampledGrid(*planned.method, input, output);
     planned.output = output;
@@ -83,6 +85,7 @@ std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
     if (planned.plan.posterSlices) task.plan = *planned.plan.posterSlices;
     task.options = choice.options;
     task.options.noise = choice.noise.value_or(input.hasCodes() ? kNoiseOfCodes : 0);
+    task.options.saturated = choice.saturated.value_or(input.hasCodes() ? kSaturatedCodes : 0);
     if (planned.method->needsPrior) {
         task.mean = meanSamples(stack, planned.samples);
         task.prior = modelFor(choice, planned, progress, input.warn);

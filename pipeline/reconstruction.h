@@ -17,6 +17,8 @@ struct MethodChoice {
     ReconstructOptions options;
     /// Relative noise of the samples; nothing: 1 % for 8-bit images, none for float ones.
     std::optional<double> noise;
+    /// Value at which samples are clipped, 0: none; nothing: 0.99 for 8-bit images, else none.
+    std::optional<double> saturated;
     PriorSource prior;
 };
 

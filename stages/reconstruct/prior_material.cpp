@@ -31,15 +31,16 @@ Eigen::VectorXd channelSamples(const Eigen::MatrixX3d& colors, Eigen::Index c) {
     return colors.col(c).cwiseMax(kLeastChannel / 3 * colors.rowwise().sum());
 }
 
-/// The prior's covariance of the samples' logarithms: the mixture's.
+/// How a material's texels are expected to vary about its mean, in logarithms: as random materials
+/// of its classes do.
 Eigen::MatrixXd covarianceOf(const PriorModel& model, const std::vector<PriorTerm>& terms) {
+    constexpr double kNoise = 1e-2;
     const auto n = static_cast<Eigen::Index>(model.samples.size());
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd sum = kNoise * Eigen::MatrixXd::Identity(n, n);
     for (const PriorTerm& term : terms) {
-        const PriorSpectrum& spectrum = model.classes[term.classIndex].spectra[term.spectrum];
-        const Eigen::VectorXd values = spectrum.eigenvalues.array() + term.nu;
-        sum += term.weight * spectrum.eigenvectors * values.asDiagonal() *
-               spectrum.eigenvectors.transpose();
+        const PriorSpectrum& plain = model.classes[term.classIndex].spectra.front();
+        sum += term.weight * plain.eigenvectors * plain.eigenvalues.asDiagonal() *
+               plain.eigenvectors.transpose();
     }
     return sum;
 }
@@ -59,9 +60,15 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
     : scaleFactor_(model.scaleFactor),
       sampleCount_(model.samples.size()),
       cap_(static_cast<float>(std::log(3 / model.scaleFactor) + 0.7)) {
-    const Eigen::MatrixX3d colors = matrixOf(mean);
+    Eigen::MatrixX3d colors = matrixOf(mean);
+    const ChoiceOptions choice{options.exposure, options.noise};
+    terms_ = chooseTerms(model, colors.rowwise().sum() / 3, choice);
+    if (options.saturated > 0) {
+        colors = CensoredSamples(model, terms_, options.saturated).restored(colors);
+        terms_ = chooseTerms(model, colors.rowwise().sum() / 3, choice);
+        censored_.emplace(model, terms_, options.saturated);
+    }
     const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
-    terms_ = chooseTerms(model, luminance, {options.exposure, options.noise});
     const ChromaKriging kriging(model.samples, colors, options.exposure);
     const IsotropicPairs isotropic = isotropicPairs(model.outputs);
     const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
@@ -69,20 +76,51 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
     if (fewRows) rowOf_ = isotropic.rowOf;
 
     const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
-    offset_ = map.offset;
     luminance_ = LowRankMatrix(map.matrix, covarianceOf(model, terms_), options.rank);
+    centerLogs(map, colors);
     chooseBlend(model, colors, options.exposure, kriging.leaveOneOut());
     // The material's own luminance at the outputs is a feature of its chroma.
-    Eigen::VectorXd atOutputs = Eigen::VectorXd::Zero(offset_.size());
-    const LogSamples logs = logSamples(model, luminance);
-    if (logs.scale > 0) {
-        const Eigen::VectorXf x = offset_ + map.matrix * logs.z.cast<float>();
-        atOutputs =
-            (x.cast<double>().array().min(static_cast<double>(cap_)).exp() - kPriorFloor).max(0.0) *
-            logs.scale;
+    const std::vector<float>& x = logCenters_[0].output;
+    Eigen::VectorXd atOutputs(static_cast<Eigen::Index>(x.size()));
+    const double scale =
+        scaleFactor_ * largestMean({luminance.data(), luminance.data() + luminance.size()});
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        atOutputs(static_cast<Eigen::Index>(i)) =
+            scale *
+            std::max(std::exp(static_cast<double>(std::min(x[i], cap_))) - kPriorFloor, 0.0);
     }
-    const Eigen::MatrixXf chroma = kriging.outputMatrix(outputs, atOutputs);
-    chroma_ = LowRankMatrix(chroma, kriging.covariance(), options.rank);
+    const Eigen::MatrixXf matrix = kriging.outputMatrix(outputs, atOutputs);
+    chroma_ = LowRankMatrix(matrix, kriging.covariance(), options.rank);
+    const Eigen::MatrixX3d chroma = chromaOf(colors);
+    for (std::size_t c = 0; c < chromaCenters_.size(); ++c) {
+        const Eigen::VectorXf own = chroma.col(static_cast<Eigen::Index>(c)).cast<float>();
+        chromaCenters_[c] = centered(matrix, own.array() - own.mean());
+    }
+}
+
+void PriorMaterial::centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors) {
+    for (std::size_t i = 0; i < logCenters_.size(); ++i) {
+        const Eigen::VectorXd values =
+            i == 0 ? Eigen::VectorXd(colors.rowwise().sum() / 3)
+                   : channelSamples(colors, static_cast<Eigen::Index>(i) - 1);
+        Eigen::VectorXf z = Eigen::VectorXf::Zero(values.size());
+        const double scale =
+            scaleFactor_ * largestMean({values.data(), values.data() + values.size()});
+        if (scale > 0) {
+            z = (values.array().max(0.0) / scale + kPriorFloor).log().cast<float>();
+        }
+        logCenters_[i] = centered(map.matrix, z);
+        for (std::size_t row = 0; row < logCenters_[i].output.size(); ++row) {
+            logCenters_[i].output[row] += map.offset(static_cast<Eigen::Index>(row));
+        }
+    }
+}
+
+PriorMaterial::Center PriorMaterial::centered(const Eigen::MatrixXf& matrix,
+                                              const Eigen::VectorXf& input) {
+    const Eigen::VectorXf output = matrix * input;
+    return {{input.data(), input.data() + input.size()},
+            {output.data(), output.data() + output.size()}};
 }
 
 /// Chroma by kriging and chroma of channels that are estimated like luminance: the blend by which
@@ -113,29 +151,33 @@ void PriorMaterial::chooseBlend(const PriorModel& model, const Eigen::MatrixX3d&
 }
 
 void PriorMaterial::addTexel(std::span<const Rgb> samples, Inputs& inputs) const {
-    const Eigen::MatrixX3d colors = matrixOf(samples);
+    const Eigen::MatrixX3d measured = matrixOf(samples);
+    const Eigen::MatrixX3d colors = censored_ ? censored_->restored(measured) : measured;
     TexelScale scale;
-    const auto addLogs = [&](const Eigen::VectorXd& values, std::vector<float>& logs) {
+    const auto addLogs = [&](const Eigen::VectorXd& values, std::size_t which) {
+        std::vector<float>& logs = inputs.logs[which];
+        const float* center = logCenters_[which].input.data();
         const double s = scaleFactor_ * largestMean({values.data(), values.data() + values.size()});
         const auto inverse = static_cast<float>(s > 0 ? 1 / s : 0);
         for (const double value : values) {
-            logs.push_back(
-                portable::log(std::max(static_cast<float>(value) * inverse, 0.0F) + kFloor));
+            const float relative = std::max(static_cast<float>(value) * inverse, 0.0F);
+            logs.push_back(portable::log(relative + kFloor) - *center++);
         }
         return static_cast<float>(s);
     };
-    scale.luminance = addLogs(colors.rowwise().sum() / 3, inputs.logs[0]);
+    scale.luminance = addLogs(colors.rowwise().sum() / 3, 0);
     const Eigen::MatrixX3d chroma = chromaOf(colors);
     const Eigen::RowVector3d mean = chroma.colwise().mean();
     std::array<float, 3> channel{};
     for (std::size_t c = 0; c < 3; ++c) {
         const auto column = static_cast<Eigen::Index>(c);
-        if (blend_ > 0) channel[c] = addLogs(channelSamples(colors, column), inputs.logs[c + 1]);
+        if (blend_ > 0) channel[c] = addLogs(channelSamples(colors, column), c + 1);
         channel[c] = colors.col(column).maxCoeff() > 0 ? std::max(channel[c], kLeastScale) : 0;
         if (c == 2) break;
         scale.meanChroma[c] = static_cast<float>(mean(column));
         for (Eigen::Index i = 0; i < chroma.rows(); ++i) {
-            inputs.chroma[c].push_back(static_cast<float>(chroma(i, column) - mean(column)));
+            inputs.chroma[c].push_back(static_cast<float>(chroma(i, column) - mean(column)) -
+                                       chromaCenters_[c].input[static_cast<std::size_t>(i)]);
         }
     }
     scale.channel = {channel[0], channel[1], channel[2]};
@@ -147,14 +189,14 @@ struct PriorMaterial::Products {
     std::size_t stride = 0;
     std::array<std::vector<float>, 4> logs;
     std::array<std::vector<float>, 2> chroma;
-    const float* offset = nullptr;
+    std::size_t firstRow = 0;
 };
 
 PriorMaterial::Products PriorMaterial::multiply(const Inputs& inputs, std::size_t firstPanel,
                                                 std::size_t panels) const {
     Products products;
     products.stride = panels * PackedMatrix::kPanel;
-    products.offset = offset_.data() + firstPanel * PackedMatrix::kPanel;
+    products.firstRow = firstPanel * PackedMatrix::kPanel;
     const auto apply = [&](const LowRankMatrix& matrix, const std::vector<float>& vectors) {
         std::vector<float> result(inputs.scales.size() * products.stride);
         matrix.multiply(vectors, firstPanel, panels, result.data(), products.stride);
@@ -173,13 +215,18 @@ Rgb PriorMaterial::colorOf(const Products& products, const TexelScale& scale, st
                            std::size_t row) const {
     const std::size_t place = texel * products.stride + row;
     const auto light = [&](std::size_t i, float unit) {
-        const float x = std::min(products.logs[i][place] + products.offset[row], cap_);
+        const float center = logCenters_[i].output[products.firstRow + row];
+        const float x = std::min(products.logs[i][place] + center, cap_);
         return std::max(portable::exp(x) - kFloor, 0.0F) * unit;
     };
     Rgb chroma;
     if (blend_ < 1) {
-        const float r = scale.meanChroma[0] + products.chroma[0][place];
-        const float g = scale.meanChroma[1] + products.chroma[1][place];
+        const auto kriged = [&](std::size_t c) {
+            return scale.meanChroma[c] + chromaCenters_[c].output[products.firstRow + row] +
+                   products.chroma[c][place];
+        };
+        const float r = kriged(0);
+        const float g = kriged(1);
         chroma += (1 - blend_) * normalized({r, g, 3 - r - g}, scale.channel);
     }
     if (blend_ > 0) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "color/rgb.h"
+#include "stages/reconstruct/censored_samples.h"
 #include "stages/reconstruct/low_rank.h"
 #include "stages/reconstruct/prior_chroma.h"
 #include "stages/reconstruct/prior_map.h"
 #include "stages/reconstruct/reconstructor.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,9 +46,17 @@ class PriorMaterial {
         std::array<std::vector<float>, 2> chroma;  ///< Of R and G, about its mean.
     };
     struct Products;
+    /// What a map makes of the material's mean: vectors enter it less `input`, results leave it
+    /// with `output` added. A map of low rank is so exact for the mean.
+    struct Center {
+        std::vector<float> input;   ///< A number a sample.
+        std::vector<float> output;  ///< A number a row.
+    };
 
     void chooseBlend(const PriorModel& model, const Eigen::MatrixX3d& colors, double exposure,
                      const Eigen::MatrixX3d& kriged);
+    static Center centered(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& input);
+    void centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors);
     void addTexel(std::span<const Rgb> samples, Inputs& inputs) const;
     Products multiply(const Inputs& inputs, std::size_t firstPanel, std::size_t panels) const;
     Rgb colorOf(const Products& products, const TexelScale& scale, std::size_t texel,
@@ -59,9 +69,11 @@ class PriorMaterial {
     float cap_;
     std::vector<std::size_t> rowOf_;  ///< Of each output; empty: the outputs are the rows.
     std::vector<PriorTerm> terms_;
-    Eigen::VectorXf offset_;
+    std::optional<CensoredSamples> censored_;  ///< Where samples may be clipped.
     LowRankMatrix luminance_;
     LowRankMatrix chroma_;
+    std::array<Center, 4> logCenters_;     ///< Of luminance, R, G and B.
+    std::array<Center, 2> chromaCenters_;  ///< Of R and G.
     float blend_ = 0;  ///< Share of chroma from channels, beside chroma by kriging.
     double leaveOneOutError_ = 0;
 };

@@ -18,6 +18,7 @@ namespace abrdf {
 struct ReconstructOptions {
     double exposure = 1;    ///< Factor on the values at which errors are weighed, > 0.
     double noise = 0;       ///< Relative deviation of the samples' noise; larger trusts them less.
+    double saturated = 0;   ///< Samples with a channel at or above it are clipped; 0: none are.
     int rank = 0;           ///< Of `prior`'s maps, 1 .. samples; 0 is full.
     bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
 };
@@ -25,12 +26,12 @@ struct ReconstructOptions {
 /// What a method is built from.
 struct ReconstructionTask {
     SlicePlan plan;
-    SampleSet samples;                        ///< In the form the method wished for, of this plan.
-    AngularGrid input;                        ///< The database's grid.
-    AngularGrid output;                       ///< The atlas's grid.
-    std::vector<Rgb> mean;                    ///< Of the material's samples over all its texels.
-    std::shared_ptr<const PriorModel> prior;  ///< For methods that need it: of these samples.
-    ReconstructOptions options;
+    SampleSet samples;           ///< In the form the method wished for, of this plan.
+    AngularGrid input;           ///< The database's grid.
+    AngularGrid output;          ///< The atlas's grid.
+    std::vector<Rgb> mean = {};  ///< Of the material's samples over all its texels.
+    std::shared_ptr<const PriorModel> prior = {};  ///< For methods that need it: of these samples.
+    ReconstructOptions options = {};
 };
 
 /// Fills in the pairs that were not measured. Built once a job, then used from any thread.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace abrdf {
@@ -61,12 +62,14 @@ SampleSet chooseSamples(const SamplePlan& plan, const AngularGrid& grid, SampleW
             set.sources.push_back(pairWeights(grid, lights, views, wanted));
         }
     } else {
-        std::map<std::size_t, bool> nearest;
+        const NearestDirection lights(grid.lights());
+        const NearestDirection views(grid.views());
+        std::set<std::size_t> nearest;
         for (const LightAndView& wanted : plan.samples) {
-            nearest[grid.pairIndex(nearestDirection(grid.lights(), wanted.light),
-                                   nearestDirection(grid.views(), wanted.view))] = true;
+            nearest.insert(
+                grid.pairIndex(lights.indexOf(wanted.light), views.indexOf(wanted.view)));
         }
-        for (const auto& [pair, wanted] : nearest) addMeasuredPair(set, grid, pair);
+        for (const std::size_t pair : nearest) addMeasuredPair(set, grid, pair);
     }
     collectPairs(set);
     return set;

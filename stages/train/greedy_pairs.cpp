@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/train/greedy_pairs.h"
 
+#include "abrdf/discrepancy_kernel.h"
 #include "abrdf/for_each_texel.h"
 #include "abrdf/portable_math.h"
 #include "stages/train/random_material.h"
@@ -15,9 +16,21 @@ namespace abrdf {
 
 namespace {
 
-constexpr double kSampleVariance = 5e-3;  ///< lambda: of a sample's own noise, in ln(value).
-constexpr float kFloor = 1e-2F;        ///< Below this share of the body nothing is to be learned.
-constexpr std::size_t kOutputs = 900;  ///< Pairs whose uncertainty is watched, beside mirrors.
+constexpr double kSampleVariance = 1e-2;  ///< lambda: of a sample's own noise, in ln(value).
+constexpr float kFloor = 1e-2F;         ///< Below this share of the body nothing is to be learned.
+constexpr std::size_t kOutputs = 1500;  ///< Pairs whose uncertainty is watched, beside mirrors.
+
+// Real materials deviate from random ones: the discrepancy kernel, as the prior has it.
+constexpr double kDeviation = 0.8;
+constexpr double kLength = 1.2;
+
+/// Of the highlight exposure, where the natural one counts 1.
+constexpr double kHighlightShare = 0.5;
+
+/// Isotropic materials count double: most measured ones are.
+double shareOf(MaterialClass materialClass) {
+    return materialClass == MaterialClass::kIso ? 2 : 1;
+}
 
 Radians halfAngle(const LightAndView& pair) {
     const Imath::V3d half =
@@ -67,13 +80,14 @@ Watched watchedPairs(const AngularGrid& grid, std::uint64_t seed) {
 class Lesson {
   public:
     Lesson(MaterialClass materialClass, const AngularGrid& grid, const Watched& watched,
-           const GreedyOptions& options) {
+           const GreedyOptions& options)
+        : pairs_(pairsOf(grid)), materialClass_(materialClass) {
         std::vector<PreparedMaterial> materials;
         for (const AnalyticMaterial& m :
              randomMaterials(materialClass, options.materials, options.seed)) {
             materials.emplace_back(m);
         }
-        const Eigen::MatrixXf values = valuesOf(materials, vectorPairs(pairsOf(grid)));
+        const Eigen::MatrixXf values = valuesOf(materials, vectorPairs(pairs_));
         const Eigen::VectorXd highlight = quantileOfColumns(values, 0.995);
         takeLogarithms(values, highlight, grid);
         const Eigen::VectorXd weight = weights(values, highlight, watched);
@@ -85,14 +99,23 @@ class Lesson {
             covariance_.middleCols(first, columns).noalias() =
                 watchedLogs.transpose() * logs_.middleCols(first, columns) / count;
         });
+        std::vector<LightAndView> watchedPairs;
+        for (const Eigen::Index i : watched.pairs) {
+            watchedPairs.push_back(pairs_[static_cast<std::size_t>(i)]);
+        }
+        covariance_ +=
+            (kDeviation * kDeviation * weight).cast<float>().asDiagonal() *
+            discrepancyKernel(materialClass, watchedPairs, pairs_, kLength).cast<float>();
         variance_ = logs_.cwiseAbs2().colwise().mean().transpose().cast<double>();
-        total_ = watchedLogs.squaredNorm() / static_cast<double>(count);
+        variance_.array() += kDeviation * kDeviation;
+        total_ = watchedLogs.squaredNorm() / static_cast<double>(count) +
+                 kDeviation * kDeviation * weight.squaredNorm();
         left_ = total_;
     }
 
     /// Adds to `score` what each pair would explain of the weighted variance.
     void addScores(Eigen::VectorXd& score) const {
-        const double balance = 1 / std::sqrt(std::max(total_, 1e-30));
+        const double balance = shareOf(materialClass_) / std::sqrt(std::max(total_, 1e-30));
         forEachColumns([&](Eigen::Index first, Eigen::Index columns) {
             score.segment(first, columns).array() +=
                 balance *
@@ -111,10 +134,13 @@ class Lesson {
         const Eigen::VectorXf ofJ = logs_.col(j);
         const Eigen::VectorXf watchedJ = covariance_.col(j);
         const auto count = static_cast<float>(logs_.rows());
-        Eigen::VectorXf row(logs_.cols());
+        const std::vector<LightAndView> chosen = {pairs_[static_cast<std::size_t>(j)]};
+        Eigen::VectorXf row =
+            (kDeviation * kDeviation * discrepancyKernel(materialClass_, pairs_, chosen, kLength))
+                .cast<float>();
         forEachColumns([&](Eigen::Index first, Eigen::Index columns) {
             auto part = row.segment(first, columns);
-            part.noalias() = logs_.middleCols(first, columns).transpose() * ofJ / count;
+            part.noalias() += logs_.middleCols(first, columns).transpose() * ofJ / count;
             for (std::size_t i = 0; i < gains_.size(); ++i) {
                 part -= gains_[i](j) * divisors_[i] * gains_[i].segment(first, columns);
             }
@@ -178,7 +204,7 @@ class Lesson {
                     static_cast<double>(values(watched.pairs[static_cast<std::size_t>(w)], m));
                 const double natural = sensitivity(value);
                 const double highlit = sensitivity(value / std::max(highlight(m), 1e-12));
-                sum += natural * natural + highlit * highlit;
+                sum += natural * natural + kHighlightShare * highlit * highlit;
             }
             weight(w) = std::sqrt(sum / static_cast<double>(values.cols()) * watched.share(w));
         }
@@ -193,6 +219,8 @@ class Lesson {
             });
     }
 
+    std::vector<LightAndView> pairs_;
+    MaterialClass materialClass_;
     Eigen::MatrixXf logs_;        ///< Material, pair.
     Eigen::MatrixXf covariance_;  ///< Watched pair (weighted), pair.
     Eigen::VectorXd variance_;    ///< Of each pair.

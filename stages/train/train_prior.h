@@ -11,7 +11,7 @@
 namespace abrdf {
 
 struct TrainOptions {
-    std::size_t materials = 1000;  ///< Random materials of each class, >= 2; more gains nothing.
+    std::size_t materials = 2000;  ///< Random materials of each class, >= 2; more gains little.
     std::uint64_t seed = 1;        ///< Of the materials.
 };
 

@@ -37,6 +37,7 @@ ConvertOptions jobOn(const fs::path& input, const fs::path& output) {
     ConvertOptions options;
     options.input.input = input;
     options.output = output;
+    options.method.name = "published";
     options.texels = {0, 0};
     return options;
 }
@@ -99,7 +100,7 @@ TEST_CASE("the input is never overwritten, and elevations that were not measured
     CHECK_FALSE(faultOf(jobOn(folder.path() / "btf.zip", folder.path() / "btf.zip")).empty());
     CHECK(bytesOf(folder.path() / "btf.zip") == before);
     ConvertOptions options = jobOn(folder.path() / "btf", folder.path() / "a.exr");
-    options.plan.elevations = {radiansFromDegrees(30), radiansFromDegrees(80)};
+    options.method.plan.elevations = {30, 80};
     CHECK(faultOf(options).find("80") != std::string::npos);
     options = jobOn(folder.path() / "btf", folder.path() / "a.exr");
     options.texels = {4, 1};
@@ -120,7 +121,7 @@ TEST_CASE("a bounded plan is kept to: at most N samples, and no image beyond tho
     const TemporaryFolder folder;
     writeSyntheticBtf(folder.path() / "btf", smallBtf());
     ConvertOptions options = jobOn(folder.path() / "btf", folder.path() / "a.exr");
-    options.plan = slicePlanFromName("poster:100");
+    options.method.plan.name = "poster:100";
     const auto planned = planConvert(options);
     const auto report = convert(options, {});
     CHECK(report["plan"]["samples"].get<int>() <= 100);
@@ -141,7 +142,7 @@ TEST_CASE("the real view of UBO2003 is averaged as its pixels say") {
     ConvertOptions options = jobOn(real, folder.path() / "a.exr");
     options.texels = {1, 1};
     CHECK(faultOf(options).find("elevation") != std::string::npos);
-    options.method = "measured";
+    options.method.name = "measured";
     options.pixel = PixelChoice::kFloat;
     convert(options, {});
     const Atlas atlas = readAtlas(options.output);

@@ -39,6 +39,7 @@ ConvertOptions jobOn(const fs::path& input, const fs::path& output) {
     ConvertOptions options;
     options.input.input = input;
     options.output = output;
+    options.method.name = "published";
     return options;
 }
 
@@ -50,7 +51,7 @@ TEST_CASE("only the images that the plan needs are opened") {
     const TemporaryFolder folder;
     const SyntheticBtf btf = cloth(2, 2, "png");
     writeSyntheticBtf(folder.path() / "btf", btf);
-    const SampleSet samples = chooseSamples(SlicePlan(), btf.grid, SampleWish::kSlices);
+    const SampleSet samples = chooseSamples(posterPlan({}), btf.grid, SampleWish::kSlices);
     std::size_t kept = 0;
     for (std::size_t pair = 0; pair < btf.grid.pairCount(); ++pair) {
         // Pair 0 tells the images' size; it is read at opening.
@@ -94,7 +95,7 @@ TEST_CASE("measured is the identity on the input's grid, texel by texel") {
     writeSyntheticBtf(folder.path() / "btf", btf);
     for (const AtlasKind layout : {AtlasKind::kAngular, AtlasKind::kSpatial}) {
         ConvertOptions options = jobOn(folder.path() / "btf", folder.path() / "a.exr");
-        options.method = "measured";
+        options.method.name = "measured";
         options.texels = {0, 0};
         options.pixel = PixelChoice::kFloat;
         options.layout = layout;
@@ -111,7 +112,7 @@ TEST_CASE("missing images end the job, unless they are to be filled") {
     const TemporaryFolder folder;
     const SyntheticBtf btf = cloth(1, 1, "png");
     writeSyntheticBtf(folder.path() / "btf", btf);
-    const SampleSet samples = chooseSamples(SlicePlan(), btf.grid, SampleWish::kSlices);
+    const SampleSet samples = chooseSamples(posterPlan({}), btf.grid, SampleWish::kSlices);
     for (std::size_t i = 0; i < 7; ++i) {
         fs::remove(folder.path() / "btf" / syntheticFile(btf, samples.pairs[40 * i]));
     }
@@ -157,7 +158,7 @@ TEST_CASE("grids, cosine and output space are those asked for") {
     };
     writeSyntheticBtf(folder.path() / "btf", btf);
     ConvertOptions options = jobOn(folder.path() / "btf", folder.path() / "a.exr");
-    options.method = "measured";
+    options.method.name = "measured";
     options.grid = "utia288";
     options.divideCosine = true;
     options.outputSpace = "ACEScg";

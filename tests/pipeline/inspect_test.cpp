@@ -86,7 +86,7 @@ TEST_CASE("an atlas is told from its header alone, and a cut one is not complete
     ConvertOptions options;
     options.input.input = folder.path() / "btf";
     options.output = folder.path() / "a.exr";
-    options.method = "measured";
+    options.method.name = "measured";
     options.texels = {3, 2};
     options.layout = AtlasKind::kSpatial;
     convert(options, {});

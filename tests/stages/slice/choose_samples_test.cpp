@@ -31,7 +31,7 @@ TEST_CASE("samples of slices are at the plan's places, in the plan's order, on a
         const AngularGrid grid(directions);
         for (const char* name : {"poster", "poster:100", "poster:8"}) {
             const SlicePlan plan = slicePlanFromName(name);
-            const SampleSet set = chooseSamples(plan, grid, SampleWish::kSlices);
+            const SampleSet set = chooseSamples(posterPlan(plan), grid, SampleWish::kSlices);
             CHECK(set.directions == plan.samples());
             for (std::size_t k = 0; k < set.count(); ++k) {
                 const LightAndView at = set.directions[k];
@@ -49,7 +49,7 @@ TEST_CASE("samples of slices are at the plan's places, in the plan's order, on a
 
 TEST_CASE("the poster's samples on ubo81 come from its own two elevations only") {
     const AngularGrid grid(ubo81Directions());
-    const SampleSet set = chooseSamples(SlicePlan(), grid, SampleWish::kSlices);
+    const SampleSet set = chooseSamples(posterPlan({}), grid, SampleWish::kSlices);
     std::set<int> thetas;
     for (const std::size_t pair : set.pairs) {
         thetas.insert(
@@ -62,7 +62,7 @@ TEST_CASE("the poster's samples on ubo81 come from its own two elevations only")
 
 TEST_CASE("everything is every pair once, in its order") {
     const AngularGrid grid(regularDirections(2, 3), regularDirections(3, 5));
-    const SampleSet set = chooseSamples(SlicePlan(), grid, SampleWish::kEverything);
+    const SampleSet set = chooseSamples(posterPlan({}), grid, SampleWish::kEverything);
     REQUIRE(set.count() == grid.pairCount());
     for (std::size_t k = 0; k < set.count(); ++k) {
         CHECK(set.pairs[k] == k);
@@ -75,7 +75,7 @@ TEST_CASE("everything is every pair once, in its order") {
 
 TEST_CASE("however many pairs are missing, only present ones are left, and a constant stays one") {
     const AngularGrid grid(ubo81Directions());
-    const SampleSet whole = chooseSamples(SlicePlan(), grid, SampleWish::kSlices);
+    const SampleSet whole = chooseSamples(posterPlan({}), grid, SampleWish::kSlices);
     for (const std::size_t keepEvery : {std::size_t{2}, std::size_t{10}, std::size_t{6000}}) {
         std::vector<std::uint8_t> present(grid.pairCount(), 0);
         for (std::size_t pair = 0; pair < present.size(); pair += keepEvery) present[pair] = 1;
@@ -94,7 +94,7 @@ TEST_CASE("however many pairs are missing, only present ones are left, and a con
 TEST_CASE("a pair that is missing beside its twin at the pole takes the twin's value") {
     // The pole of a regular grid is listed once for each azimuth.
     const AngularGrid grid(regularDirections(2, 4));
-    SampleSet set = chooseSamples(SlicePlan(), grid, SampleWish::kEverything);
+    SampleSet set = chooseSamples(posterPlan({}), grid, SampleWish::kEverything);
     std::vector<std::uint8_t> present(grid.pairCount(), 1);
     present[grid.pairIndex(1, 2)] = 0;
     set = fillMissing(std::move(set), grid, present);
@@ -109,7 +109,7 @@ TEST_CASE("a pair that is missing beside its twin at the pole takes the twin's v
 
 TEST_CASE("nothing missing changes nothing") {
     const AngularGrid grid(ubo81Directions());
-    const SampleSet set = chooseSamples(SlicePlan(), grid, SampleWish::kMeasuredPairs);
+    const SampleSet set = chooseSamples(posterPlan({}), grid, SampleWish::kMeasuredPairs);
     const std::vector<std::uint8_t> present(grid.pairCount(), 1);
     const SampleSet same = fillMissing(set, grid, present);
     CHECK(same.filled == 0);

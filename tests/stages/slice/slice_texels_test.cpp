@@ -23,7 +23,7 @@ const AngularGrid& ubo81() {
 TEST_SUITE_BEGIN("unit");
 
 TEST_CASE("slices read hundreds of pairs, not thousands, and each sample's weights sum to 1") {
-    const SampleSet set = chooseSamples(SlicePlan(), ubo81(), SampleWish::kSlices);
+    const SampleSet set = chooseSamples(posterPlan({}), ubo81(), SampleWish::kSlices);
     CHECK(set.count() == 204);
     CHECK(set.pairs.size() < 500);
     CHECK(std::ranges::is_sorted(set.pairs));
@@ -38,17 +38,17 @@ TEST_CASE("slices read hundreds of pairs, not thousands, and each sample's weigh
 }
 
 TEST_CASE("measured pairs are distinct, at their true directions, and no more than the plan's") {
-    const SampleSet set = chooseSamples(SlicePlan(), ubo81(), SampleWish::kMeasuredPairs);
+    const SampleSet set = chooseSamples(posterPlan({}), ubo81(), SampleWish::kMeasuredPairs);
     CHECK(set.count() <= 204);
     CHECK(set.pairs.size() == set.count());
     for (std::size_t k = 0; k < set.count(); ++k) {
         CHECK(set.directions[k] == ubo81().pair(set.sources[k][0].pair));
     }
-    CHECK(chooseSamples(SlicePlan(), ubo81(), SampleWish::kEverything).count() == 6561);
+    CHECK(chooseSamples(posterPlan({}), ubo81(), SampleWish::kEverything).count() == 6561);
 }
 
 TEST_CASE("a missing pair is filled from its nearest, with weights that sum to 1, and counted") {
-    SampleSet set = chooseSamples(SlicePlan(), ubo81(), SampleWish::kSlices);
+    SampleSet set = chooseSamples(posterPlan({}), ubo81(), SampleWish::kSlices);
     std::vector<std::uint8_t> present(ubo81().pairCount(), 1);
     const std::size_t gone = set.pairs[17];
     present[gone] = 0;
@@ -66,7 +66,7 @@ TEST_CASE("a missing pair is filled from its nearest, with weights that sum to 1
 }
 
 TEST_CASE("image-major becomes texel-major, for any range of texels") {
-    const SampleSet set = chooseSamples(SlicePlan(), ubo81(), SampleWish::kEverything);
+    const SampleSet set = chooseSamples(posterPlan({}), ubo81(), SampleWish::kEverything);
     ImageStack stack(set.pairs, 7, 3);
     for (std::size_t i = 0; i < set.pairs.size(); ++i) {
         for (std::size_t t = 0; t < 21; ++t) {
@@ -84,7 +84,7 @@ TEST_CASE("image-major becomes texel-major, for any range of texels") {
 }
 
 TEST_CASE("a sample without a value takes its neighbour's, and is counted") {
-    const SampleSet set = chooseSamples(SlicePlan(), ubo81(), SampleWish::kMeasuredPairs);
+    const SampleSet set = chooseSamples(posterPlan({}), ubo81(), SampleWish::kMeasuredPairs);
     ImageStack stack(set.pairs, 2, 1);
     for (std::size_t i = 0; i < set.pairs.size(); ++i) {
         stack.image(i)[0] = {0.5F, 0.5F, 0.5F};
