@@ -68,17 +68,23 @@ PreparedMaterial::PreparedMaterial(const AnalyticMaterial& material)
     for (const Facet& facet : material.facets) {
         facets_.emplace_back(turned(facet, material.azimuth));
     }
-    for (CosineWave wave : material.field) {
-        wave.light = turned(wave.light, material.azimuth);
-        wave.view = turned(wave.view, material.azimuth);
-        field_.push_back(wave);
+    for (const CosineWave& wave : material.field) {
+        const V3f light = turned(wave.light, material.azimuth);
+        const V3f view = turned(wave.view, material.azimuth);
+        for (int axis = 0; axis < 3; ++axis) {
+            field_.light[static_cast<std::size_t>(axis)].push_back(light[axis]);
+            field_.view[static_cast<std::size_t>(axis)].push_back(view[axis]);
+        }
+        field_.between.push_back(wave.between);
+        field_.phase.push_back(wave.phase);
+        field_.amplitude.push_back(wave.amplitude);
     }
 }
 
 float PreparedMaterial::evaluate(const V3f& light, const V3f& view) const {
     if (light.z <= 0 || view.z <= 0) return 0;
     const float value = coat_.strength > 0 ? coated(light, view) : uncoated(light, view);
-    return field_.empty() ? value * scale_ : value * scale_ * fieldFactor(light, view);
+    return field_.phase.empty() ? value * scale_ : value * scale_ * fieldFactor(light, view);
 }
 
 void PreparedMaterial::evaluate(std::span<const VectorPair> pairs, std::span<float> values) const {
@@ -128,10 +134,23 @@ float PreparedMaterial::coated(const V3f& light, const V3f& view) const {
 
 float PreparedMaterial::fieldFactor(const V3f& light, const V3f& view) const {
     const float between = light.dot(view);
+    constexpr std::size_t kWaves = 16;
+    std::array<float, kWaves> terms;
     float exponent = 0;
-    for (const CosineWave& wave : field_) {
-        exponent += wave.amplitude * portable::cos(wave.light.dot(light) + wave.view.dot(view) +
-                                                   wave.between * between + wave.phase);
+    const std::size_t count = field_.phase.size();
+    for (std::size_t first = 0; first < count; first += kWaves) {
+        const std::size_t size = std::min(kWaves, count - first);
+        for (std::size_t i = 0; i < size; ++i) {
+            const std::size_t w = first + i;
+            const float alongLight = field_.light[0][w] * light.x + field_.light[1][w] * light.y +
+                                     field_.light[2][w] * light.z;
+            const float alongView = field_.view[0][w] * view.x + field_.view[1][w] * view.y +
+                                    field_.view[2][w] * view.z;
+            const float argument =
+                alongLight + alongView + field_.between[w] * between + field_.phase[w];
+            terms[i] = field_.amplitude[w] * portable::cos(argument);
+        }
+        for (std::size_t i = 0; i < size; ++i) exponent += terms[i];
     }
     return portable::exp(exponent);
 }

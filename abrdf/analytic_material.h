@@ -6,6 +6,7 @@
 
 #include <ImathVec.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -70,10 +71,16 @@ class PreparedMaterial {
     float coated(const Imath::V3f& light, const Imath::V3f& view) const;
     float fieldFactor(const Imath::V3f& light, const Imath::V3f& view) const;
 
+    /// The waves number by number, so that a compiler takes several at once.
+    struct Field {
+        std::array<std::vector<float>, 3> light, view;
+        std::vector<float> between, phase, amplitude;
+    };
+
     std::vector<TiltedFacet> facets_;
     Coat coat_;
     PreparedLobe coatLobe_;
-    std::vector<CosineWave> field_;
+    Field field_;
     float scale_;
 };
 

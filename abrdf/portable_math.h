@@ -11,7 +11,7 @@
 namespace abrdf::portable {
 
 inline int roundedToInt(float x) {
-    return static_cast<int>(x < 0 ? x - 0.5F : x + 0.5F);
+    return static_cast<int>(x + std::copysign(0.5F, x));
 }
 
 /// e^x, with x bounded to -87 .. 88.
@@ -66,8 +66,12 @@ inline float cos(float x) {
     const float sine = ((-1.9515295891e-4F * r2 + 8.3321608736e-3F) * r2 - 1.6666654611e-1F) * r2;
     const float cosine =
         ((2.443315711809948e-5F * r2 - 1.388731625493765e-3F) * r2 + 4.166664568298827e-2F) * r2;
-    const float value = (n & 1) != 0 ? r + r * sine : 1 - 0.5F * r2 + cosine * r2;
-    return ((n + 1) & 2) != 0 ? -value : value;
+    // Both are worked out, so that compilers make vectors of this.
+    const float odd = r + r * sine;
+    const float even = 1 - 0.5F * r2 + cosine * r2;
+    const float value = (n & 1) != 0 ? odd : even;
+    const float negated = -value;
+    return ((n + 1) & 2) != 0 ? negated : value;
 }
 
 /// Arc sine of x, bounded to -1 .. 1.

@@ -19,7 +19,7 @@ namespace abrdf {
 namespace {
 
 /// Pairs at which a material's highlight is looked for.
-constexpr std::size_t kProbes = 2200;
+constexpr std::size_t kProbes = 1000;
 
 /// A highlight that all samples miss is learned as this many times the largest of them.
 constexpr double kMostOfTop = 10;
