@@ -13,7 +13,9 @@ CensoredSamples::CensoredSamples(const PriorModel& model, const std::vector<Prio
     const auto n = static_cast<Eigen::Index>(model.samples.size());
     mean_ = Eigen::VectorXd::Zero(n);
     precision_ = Eigen::MatrixXd::Zero(n, n);
-    for (const PriorTerm& term : terms) {
+    for (PriorTerm term : terms) {
+        // A Lambertian has no highlight; what is above it is some class's.
+        if (term.isLambert) term = {false, 0, 0, 3e-2, term.weight};
         mean_ += term.weight * model.classes[term.classIndex].sampleMean;
         precision_ += term.weight * precisionOf(model, term);
     }

@@ -24,6 +24,7 @@ constexpr std::size_t kSliceSubspaces = 16;
 constexpr double kLikelihoodShare = 0.25;
 constexpr double kLikelihoodTemperature = 0.1;
 constexpr double kLeastWeight = 0.01;
+constexpr double kNever = 1e30;  ///< Minus this likelihood has no share.
 
 Eigen::VectorXd valuesFromLogs(const Eigen::VectorXd& logs, double scale) {
     return (logs.array().exp() - kPriorFloor).max(0.0) * scale;
@@ -46,7 +47,15 @@ struct Fit {
     double logLikelihood = 0;  ///< But for a constant.
 };
 
+/// The one number of a Lambertian, without a sample, is the mean of the others.
+Fit lambertFit(const PriorModel& model, const Eigen::VectorXd& z) {
+    const Eigen::VectorXd level = z - lambertLogs(model.samples);
+    const auto n = static_cast<double>(level.size());
+    return {(level.array() - level.mean()) * (n / std::max(n - 1, 1.0)), -kNever};
+}
+
 Fit fitOf(const PriorModel& model, const PriorTerm& term, const Eigen::VectorXd& z) {
+    if (term.isLambert) return lambertFit(model, z);
     const PriorClass& priorClass = model.classes[term.classIndex];
     const PriorSpectrum& spectrum = priorClass.spectra[term.spectrum];
     const Eigen::ArrayXd inverse = 1 / (spectrum.eigenvalues.array() + term.nu);
@@ -119,6 +128,25 @@ std::vector<PriorTerm> weighted(std::vector<PriorTerm> terms, const std::vector<
 
 }  // namespace
 
+Eigen::VectorXd lambertLogs(const std::vector<LightAndView>& pairs) {
+    Eigen::VectorXd logs(static_cast<Eigen::Index>(pairs.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        logs(static_cast<Eigen::Index>(i)) =
+            std::log(std::max(std::cos(pairs[i].light.theta), kPriorFloor));
+    }
+    return logs;
+}
+
+double choiceExposure(const Eigen::VectorXd& luminance) {
+    constexpr double kShown = 0.2;
+    std::vector<double> sorted(luminance.data(), luminance.data() + luminance.size());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    if (*middle > 0) return kShown / *middle;
+    const double mean = luminance.mean();
+    return mean > 0 ? kShown / mean : 1;
+}
+
 LogSamples logSamples(const PriorModel& model, const Eigen::VectorXd& values) {
     LogSamples result;
     result.scale = model.scaleFactor *
@@ -136,38 +164,38 @@ Eigen::MatrixXd precisionOf(const PriorModel& model, const PriorTerm& term) {
 }
 
 std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::VectorXd& luminance,
-                                   const ChoiceOptions& options) {
+                                   double noise) {
     std::vector<PriorTerm> terms;
     for (std::size_t c = 0; c < model.classes.size(); ++c) {
         for (std::size_t k = 0; k < model.classes[c].spectra.size(); ++k) {
             for (const double nu : kNus) {
-                terms.push_back({c, k, nu + options.noise * options.noise, 0});
+                terms.push_back({false, c, k, nu + noise * noise, 0});
             }
         }
     }
+    terms.push_back({true, 0, 0, 0, 0});
     const LogSamples logs = logSamples(model, luminance);
-    if (logs.scale <= 0) return weighted({terms.front()}, {1});
+    if (logs.scale <= 0) return weighted({terms.back()}, {1});
     std::vector<Fit> fits(terms.size());
     forEachTexelBlock(terms.size(), kNus.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) fits[i] = fitOf(model, terms[i], logs.z);
     });
-    std::vector<double> shares = grownShares(fits, logs, luminance, options.exposure);
-    if (lieOnSlices(model.samples)) addLikelihood(fits, shares);
+    std::vector<double> shares = grownShares(fits, logs, luminance, choiceExposure(luminance));
+    // A material that obeys Lambert at every sample is one: its law is the last term.
+    const bool isLambertian = shares.back() > 1 - 1e-9;
+    if (lieOnSlices(model.samples) && !isLambertian) addLikelihood(fits, shares);
     return weighted(std::move(terms), shares);
 }
 
-LeaveOneOut leaveOneOut(const PriorModel& model, const std::vector<PriorTerm>& terms,
-                        const Eigen::VectorXd& values, double exposure) {
+Eigen::VectorXd leaveOneOut(const PriorModel& model, const std::vector<PriorTerm>& terms,
+                            const Eigen::VectorXd& values) {
     const LogSamples logs = logSamples(model, values);
-    if (logs.scale <= 0) return {values, 0};
+    if (logs.scale <= 0) return values;
     Eigen::VectorXd residual = Eigen::VectorXd::Zero(values.size());
     for (const PriorTerm& term : terms) {
         residual += term.weight * fitOf(model, term, logs.z).residual;
     }
-    LeaveOneOut result;
-    result.values = valuesFromLogs(logs.z - residual, logs.scale);
-    result.error = meanLightnessDifference(result.values, values, exposure);
-    return result;
+    return valuesFromLogs(logs.z - residual, logs.scale);
 }
 
 }  // namespace abrdf

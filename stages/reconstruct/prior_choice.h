@@ -10,8 +10,9 @@
 
 namespace abrdf {
 
-/// One model of the mixture: (S + sigma^2 K + nu I)^-1 of a class, and its share.
+/// One model of the mixture, and its share: (S + sigma^2 K + nu I)^-1 of a class, or Lambert's law.
 struct PriorTerm {
+    bool isLambert = false;  ///< ln(value) = ln(cos(theta_i)) + what the samples have in common.
     std::size_t classIndex = 0;
     std::size_t spectrum = 0;
     double nu = 0;  ///< Variance of a sample that no model explains, in ln(luminance).
@@ -25,28 +26,25 @@ struct LogSamples {
 };
 LogSamples logSamples(const PriorModel& model, const Eigen::VectorXd& values);
 
-/// What each sample is by the others.
-struct LeaveOneOut {
-    Eigen::VectorXd values;  ///< Predictions, in the samples' unit.
-    double error = 0;        ///< Mean lightness difference |dL*| at the exposure.
-};
+/// ln(cos(theta_i)) of each pair: what a Lambertian varies with.
+Eigen::VectorXd lambertLogs(const std::vector<LightAndView>& pairs);
 
-struct ChoiceOptions {
-    double exposure = 1;  ///< Factor on the values at which lightness is compared; > 0.
-    double noise = 0;     ///< Relative deviation of the samples' noise; its square adds to nu.
-};
+/// The exposure at which a material's models are compared: its median luminance is shown as 0.2,
+/// so that a choice does not depend on the unit of the samples. 1 for a black one.
+double choiceExposure(const Eigen::VectorXd& luminance);
 
 /// The mixture for a material, from its samples' luminance, the larger weights first: members are
 /// added one by one, each time the one with which the samples predict one another best. Where the
 /// samples lie on slices, and so predict one another too well, a quarter goes by likelihood.
+/// noise: relative deviation of the samples' noise; its square adds to nu.
 std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::VectorXd& luminance,
-                                   const ChoiceOptions& options);
+                                   double noise);
 
-/// Leave-one-out predictions of the mixture, for one channel's samples: closed form.
-LeaveOneOut leaveOneOut(const PriorModel& model, const std::vector<PriorTerm>& terms,
-                        const Eigen::VectorXd& values, double exposure);
+/// What the mixture predicts for each sample of a channel from the others: closed form.
+Eigen::VectorXd leaveOneOut(const PriorModel& model, const std::vector<PriorTerm>& terms,
+                            const Eigen::VectorXd& values);
 
-/// (S + sigma^2 K + nu I)^-1 of a term.
+/// (S + sigma^2 K + nu I)^-1 of a term that is not Lambert's.
 Eigen::MatrixXd precisionOf(const PriorModel& model, const PriorTerm& term);
 
 }  // namespace abrdf

@@ -36,11 +36,20 @@ void addProduct(const Eigen::MatrixXd& left, const Gathered& gathered, PriorMap&
     map.offset -= (left * gathered.ofMean).cast<float>();
 }
 
+/// x = ln(cos(theta_i)) + the samples' mean of z - ln(cos(theta_i)).
+void addLambert(double weight, const std::vector<LightAndView>& outputs,
+                const std::vector<LightAndView>& samples, PriorMap& map) {
+    const Eigen::VectorXd level = lambertLogs(outputs).array() - lambertLogs(samples).mean();
+    map.offset += (weight * level).cast<float>();
+    map.matrix.array() += static_cast<float>(weight / static_cast<double>(samples.size()));
+}
+
 }  // namespace
 
 bool isIsotropic(const PriorModel& model, const std::vector<PriorTerm>& terms) {
     return std::ranges::all_of(terms, [&](const PriorTerm& term) {
-        return model.classes[term.classIndex].materialClass == MaterialClass::kIso;
+        return term.isLambert ||
+               model.classes[term.classIndex].materialClass == MaterialClass::kIso;
     });
 }
 
@@ -52,6 +61,10 @@ PriorMap priorMap(const PriorModel& model, const std::vector<PriorTerm>& terms,
     std::map<std::size_t, Gathered> ofClass;
     std::map<std::pair<bool, double>, Gathered> ofKernel;  // Is it iso's; its length.
     for (const PriorTerm& term : terms) {
+        if (term.isLambert) {
+            addLambert(term.weight, outputs, model.samples, map);
+            continue;
+        }
         const PriorClass& priorClass = model.classes[term.classIndex];
         const PriorSpectrum& spectrum = priorClass.spectra[term.spectrum];
         const Eigen::MatrixXd precision = precisionOf(model, term);
@@ -65,7 +78,9 @@ PriorMap priorMap(const PriorModel& model, const std::vector<PriorTerm>& terms,
     for (const auto& [index, gathered] : ofClass) {
         const PriorClass& priorClass = model.classes[index];
         double weight = 0;
-        for (const PriorTerm& term : terms) weight += term.classIndex == index ? term.weight : 0;
+        for (const PriorTerm& term : terms) {
+            weight += !term.isLambert && term.classIndex == index ? term.weight : 0;
+        }
         if (priorClass.outputMean.size() == rows) {
             map.offset += static_cast<float>(weight) * priorClass.outputMean;
             addProduct(priorClass.cross.cast<double>(), gathered, map);

@@ -38,6 +38,7 @@ Eigen::MatrixXd covarianceOf(const PriorModel& model, const std::vector<PriorTer
     const auto n = static_cast<Eigen::Index>(model.samples.size());
     Eigen::MatrixXd sum = kNoise * Eigen::MatrixXd::Identity(n, n);
     for (const PriorTerm& term : terms) {
+        if (term.isLambert) continue;
         const PriorSpectrum& plain = model.classes[term.classIndex].spectra.front();
         sum += term.weight * plain.eigenvectors * plain.eigenvalues.asDiagonal() *
                plain.eigenvectors.transpose();
@@ -61,15 +62,14 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
       sampleCount_(model.samples.size()),
       cap_(static_cast<float>(std::log(3 / model.scaleFactor) + 0.7)) {
     Eigen::MatrixX3d colors = matrixOf(mean);
-    const ChoiceOptions choice{options.exposure, options.noise};
-    terms_ = chooseTerms(model, colors.rowwise().sum() / 3, choice);
+    terms_ = chooseTerms(model, colors.rowwise().sum() / 3, options.noise);
     if (options.saturated > 0) {
         colors = CensoredSamples(model, terms_, options.saturated).restored(colors);
-        terms_ = chooseTerms(model, colors.rowwise().sum() / 3, choice);
+        terms_ = chooseTerms(model, colors.rowwise().sum() / 3, options.noise);
         censored_.emplace(model, terms_, options.saturated);
     }
     const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
-    const ChromaKriging kriging(model.samples, colors, options.exposure);
+    const ChromaKriging kriging(model.samples, colors, choiceExposure(luminance));
     const IsotropicPairs isotropic = isotropicPairs(model.outputs);
     const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
     const std::vector<LightAndView>& outputs = fewRows ? isotropic.distinct : model.outputs;
@@ -128,10 +128,11 @@ PriorMaterial::Center PriorMaterial::centered(const Eigen::MatrixXf& matrix,
 void PriorMaterial::chooseBlend(const PriorModel& model, const Eigen::MatrixX3d& colors,
                                 double exposure, const Eigen::MatrixX3d& kriged) {
     const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
+    const double shown = choiceExposure(luminance);
     Eigen::MatrixX3d ofChannels(colors.rows(), 3);
     for (Eigen::Index c = 0; c < 3; ++c) {
         ofChannels.col(c) =
-            leaveOneOut(model, terms_, channelSamples(colors, c), exposure).values.cwiseMax(1e-9);
+            leaveOneOut(model, terms_, channelSamples(colors, c)).cwiseMax(1e-9 / shown);
     }
     ofChannels = normalizedChroma(ofChannels);
     double best = -1;
@@ -139,14 +140,14 @@ void PriorMaterial::chooseBlend(const PriorModel& model, const Eigen::MatrixX3d&
         const auto share = static_cast<double>(blend);
         const Eigen::MatrixX3d chroma = (1 - share) * kriged + share * ofChannels;
         const double error =
-            meanDeltaE(chroma.array().colwise() * luminance.array(), colors, exposure);
+            meanDeltaE(chroma.array().colwise() * luminance.array(), colors, shown);
         if (best >= 0 && error >= best - 1e-9) continue;
         best = error;
         blend_ = blend;
     }
     const Eigen::MatrixX3d chroma =
         (1 - static_cast<double>(blend_)) * kriged + static_cast<double>(blend_) * ofChannels;
-    const Eigen::VectorXd predicted = leaveOneOut(model, terms_, luminance, exposure).values;
+    const Eigen::VectorXd predicted = leaveOneOut(model, terms_, luminance);
     leaveOneOutError_ = meanDeltaE(chroma.array().colwise() * predicted.array(), colors, exposure);
 }
 
