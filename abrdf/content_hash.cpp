@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 
 namespace abrdf {
@@ -15,7 +14,8 @@ constexpr std::uint64_t kFactor = 0x9e3779b97f4a7c15;
 constexpr std::uint64_t kFinal = 0xbf58476d1ce4e5b9;
 
 std::uint64_t mixed(std::uint64_t state, std::uint64_t word) {
-    return std::rotl((state ^ word) * kFactor, 29);
+    const std::uint64_t product = (state ^ word) * kFactor;
+    return product ^ (product >> 29);
 }
 
 }  // namespace
