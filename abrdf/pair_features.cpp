@@ -2,9 +2,9 @@
 #include "abrdf/pair_features.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 namespace abrdf {
 
@@ -12,6 +12,24 @@ namespace {
 
 Eigen::Index indexOf(std::size_t i) {
     return static_cast<Eigen::Index>(i);
+}
+
+/// Hundredths of a degree: as finely as file names tell directions apart.
+long hundredths(Radians angle) {
+    return std::lround(degreesFromRadians(angle) * 100);
+}
+
+/// Pairs with equal keys are one.
+template <typename Key>
+PairGroups grouped(std::span<const LightAndView> pairs, const Key& key) {
+    std::map<decltype(key(pairs[0])), std::size_t> places;
+    PairGroups groups;
+    for (const LightAndView& pair : pairs) {
+        const auto [place, isNew] = places.try_emplace(key(pair), groups.distinct.size());
+        if (isNew) groups.distinct.push_back(pair);
+        groups.rowOf.push_back(place->second);
+    }
+    return groups;
 }
 
 }  // namespace
@@ -47,22 +65,23 @@ Eigen::MatrixXd squaredDistances(const Eigen::MatrixXd& a, const Eigen::MatrixXd
     return distances.cwiseMax(0);
 }
 
-IsotropicPairs isotropicPairs(std::span<const LightAndView> pairs) {
-    // To a hundredth of a degree, as finely as file names tell directions apart.
-    const auto key = [](Radians angle) { return std::lround(degreesFromRadians(angle) * 100); };
-    std::map<std::tuple<long, long, long>, std::size_t> places;
-    IsotropicPairs result;
-    for (const LightAndView& pair : pairs) {
+PairGroups distinctPairs(std::span<const LightAndView> pairs) {
+    const auto azimuth = [](Direction d) {
+        return hundredths(d.theta) == 0 ? 0 : hundredths(wrappedAzimuth(d.phi)) % 36000;
+    };
+    return grouped(pairs, [&](const LightAndView& pair) {
+        return std::array{hundredths(pair.light.theta), azimuth(pair.light),
+                          hundredths(pair.view.theta), azimuth(pair.view)};
+    });
+}
+
+PairGroups isotropicPairs(std::span<const LightAndView> pairs) {
+    return grouped(pairs, [](const LightAndView& pair) {
         const Radians turn = wrappedAzimuth(pair.light.phi - pair.view.phi);
-        // At the pole an azimuth says nothing.
-        const bool isPole = key(pair.light.theta) == 0 || key(pair.view.theta) == 0;
-        const long between = isPole ? 0 : key(std::min(turn, 2 * kPi - turn));
-        const auto [place, isNew] = places.try_emplace(
-            {key(pair.light.theta), key(pair.view.theta), between}, result.distinct.size());
-        if (isNew) result.distinct.push_back(pair);
-        result.rowOf.push_back(place->second);
-    }
-    return result;
+        const bool isPole = hundredths(pair.light.theta) == 0 || hundredths(pair.view.theta) == 0;
+        return std::array{hundredths(pair.light.theta), hundredths(pair.view.theta),
+                          isPole ? 0 : hundredths(std::min(turn, 2 * kPi - turn))};
+    });
 }
 
 }  // namespace abrdf

@@ -21,11 +21,16 @@ Eigen::MatrixXd vectorFeatures(std::span<const LightAndView> pairs);
 /// |a_i - b_j|^2 for all rows of a and b.
 Eigen::MatrixXd squaredDistances(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// Pairs that are one to every isotropic material: equal theta_i, theta_v and |phi_i - phi_v|.
-struct IsotropicPairs {
+/// Pairs, and which of them are one and the same.
+struct PairGroups {
     std::vector<LightAndView> distinct;
     std::vector<std::size_t> rowOf;  ///< Of each pair, its place in `distinct`.
 };
-IsotropicPairs isotropicPairs(std::span<const LightAndView> pairs);
+
+/// Equal pairs; at the pole an azimuth says nothing (rectangular grids repeat it).
+PairGroups distinctPairs(std::span<const LightAndView> pairs);
+
+/// Pairs that are one to every isotropic material: equal theta_i, theta_v and |phi_i - phi_v|.
+PairGroups isotropicPairs(std::span<const LightAndView> pairs);
 
 }  // namespace abrdf

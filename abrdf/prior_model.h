@@ -36,7 +36,7 @@ struct PriorClass {
 /// Class iso has a row for each distinct isotropic pair of the outputs, the others one a pair.
 struct PriorModel {
     std::vector<LightAndView> samples;
-    std::vector<LightAndView> outputs;
+    std::vector<LightAndView> outputs;  ///< Distinct ones: distinctPairs().
     /// A material's scale is this times the mean of its largest samples (largestMean()).
     double scaleFactor = 1;
     std::vector<PriorClass> classes;

@@ -25,8 +25,10 @@ void addTrain(CLI::App& app, RunCommand& runCommand) {
     command->add_flag("--anywhere", job->anywhere,
                       "for BRDF tables: samples where the plan says, not at the grid's directions");
     command->add_option("-o,--output", job->output, "a file for --model (else the cache)");
-    command->add_option("--materials", job->options.materials, "random materials of each class")
-        ->check(CLI::Range(2, 100000))
+    command
+        ->add_option("--materials", job->options.materials,
+                     "random materials of each class (0: 500 to 2000 by the grid)")
+        ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command->add_option("--seed", job->options.seed, "of the random materials")
         ->capture_default_str();

@@ -78,7 +78,7 @@ Job prepare(const ConvertOptions& options, const ProgressSink& progress) {
                                              options.output.string()));
     }
     Job job;
-    methodFromName(options.method.name);
+    checkPlanChoice(methodFromName(options.method.name), options.method.plan);
     if (options.grid != "input") job.grid = gridFromName(options.grid);
     job.input = openInput(options.input);
     if (options.grid == "input") job.grid = job.input.description().grid;

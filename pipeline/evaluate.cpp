@@ -154,7 +154,9 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
 
 ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progress) {
     if (!(options.exposure > 0)) throw std::invalid_argument("the exposure must be above 0");
-    for (const std::string& method : options.methods) methodFromName(method);
+    for (const std::string& method : options.methods) {
+        checkPlanChoice(methodFromName(method), options.choice.plan);
+    }
     if (!options.sheet.empty()) checkOutputPath(options.sheet);
 
     const OpenedInput input = openInput(options.input);

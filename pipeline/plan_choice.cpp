@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <stdexcept>
 
@@ -102,49 +103,61 @@ SamplePlan greedyPlan(const PlanName& name, const AngularGrid& measured,
     return pairsPlan(full, measured, computedGreedyPairs(measured, count, progress, warn));
 }
 
-}  // namespace
+/// A choice with what it leaves open filled in.
+struct NamedChoice {
+    PlanName name;
+    bool isFile = false;
+};
 
-SamplePlan planFor(const Method& method, const PlanChoice& choice, const AngularGrid& measured,
-                   bool anywhere, const ProgressSink& progress, const MessageSink& warn) {
+NamedChoice namedChoice(const Method& method, const PlanChoice& choice) {
     const bool needsPoster = method.wish == SampleWish::kSlices;
-    const bool isFile = !choice.name.empty() && choice.name.find(':') == std::string::npos &&
-                        fs::is_regular_file(choice.name);
     const std::string own = needsPoster || hasPosterNumbers(choice) ? "poster" : "eight";
-    const PlanName name =
-        isFile ? PlanName{choice.name, 0} : planNameFrom(choice.name.empty() ? own : choice.name);
-    if (hasPosterNumbers(choice) && name.base != "poster") {
-        throw std::invalid_argument(
-            fmt::format("--elevations, --alpha, --axial and --diagonal are numbers of the plan "
-                        "poster, not of {}; write --plan poster with them",
-                        name.base));
-    }
-    if (name.base == "poster") return posterPlan(posterSlices(choice, name.bound));
-    const AngularGrid* snapTo = anywhere ? nullptr : &measured;
-    SamplePlan plan;
-    if (isFile) {
-        plan = planFromFile(choice.name);
-    } else if (name.base == "eight") {
-        plan = eightPlan(name.bound, snapTo);
-    } else if (name.base == "slices16") {
-        plan = sixteenSlicesPlan(name.bound, snapTo);
-    } else if (name.base == "greedy") {
-        plan =
-            needsPoster ? SamplePlan{"greedy", {}, {}} : greedyPlan(name, measured, progress, warn);
-    } else {
+    NamedChoice named;
+    named.isFile = !choice.name.empty() && fs::is_regular_file(choice.name);
+    named.name = named.isFile ? PlanName{choice.name, 0}
+                              : planNameFrom(choice.name.empty() ? own : choice.name);
+    constexpr std::array kNames = {"eight", "poster", "slices16", "greedy"};
+    if (!named.isFile && std::ranges::find(kNames, named.name.base) == kNames.end()) {
         throw std::invalid_argument(
             fmt::format("there is no plan '{}': use eight, poster, slices16 or greedy, with :N for "
                         "at most N samples, or a file from abrdf plan",
-                        name.base));
+                        named.name.base));
     }
-    if (!needsPoster) return plan;
-    const std::size_t bound = name.bound > 0 ? name.bound : kPlanSamples;
-    if (warn) {
-        warn(
-            fmt::format("the method {} needs the poster's slices: it takes the plan poster with "
-                        "at most {} samples instead of {}",
-                        method.name, bound, name.base));
+    if (hasPosterNumbers(choice) && named.name.base != "poster") {
+        throw std::invalid_argument(
+            fmt::format("--elevations, --alpha, --axial and --diagonal are numbers of the plan "
+                        "poster, not of {}; write --plan poster with them",
+                        named.name.base));
     }
-    return posterPlan(posterSlices(choice, bound));
+    return named;
+}
+
+}  // namespace
+
+void checkPlanChoice(const Method& method, const PlanChoice& choice) {
+    const NamedChoice named = namedChoice(method, choice);
+    if (named.name.base == "poster") checkPlan(posterSlices(choice, named.name.bound));
+}
+
+SamplePlan planFor(const Method& method, const PlanChoice& choice, const AngularGrid& measured,
+                   bool anywhere, const ProgressSink& progress, const MessageSink& warn) {
+    const auto [name, isFile] = namedChoice(method, choice);
+    if (name.base == "poster") return posterPlan(posterSlices(choice, name.bound));
+    if (method.wish == SampleWish::kSlices) {
+        const std::size_t bound = name.bound > 0 ? name.bound : kPlanSamples;
+        if (warn) {
+            warn(
+                fmt::format("the method {} needs the poster's slices: it takes the plan poster "
+                            "with at most {} samples instead of {}",
+                            method.name, bound, name.base));
+        }
+        return posterPlan(posterSlices(choice, bound));
+    }
+    const AngularGrid* snapTo = anywhere ? nullptr : &measured;
+    if (isFile) return planFromFile(choice.name);
+    if (name.base == "eight") return eightPlan(name.bound, snapTo);
+    if (name.base == "slices16") return sixteenSlicesPlan(name.bound, snapTo);
+    return greedyPlan(name, measured, progress, warn);
 }
 
 }  // namespace abrdf

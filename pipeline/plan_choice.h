@@ -22,6 +22,10 @@ struct PlanChoice {
     int diagonal = 0;                     ///< Of the plan poster; 0: its own.
 };
 
+/// Throws std::invalid_argument for what no input could make right: an unknown plan, numbers that
+/// no plan has.
+void checkPlanChoice(const Method& method, const PlanChoice& choice);
+
 /// The plan for a method over measured directions. anywhere: samples need not be snapped to these.
 /// `published` can only use the poster's plan: with
 /// another one it takes that with as many samples, and warns. A greedy plan for a grid that is not

@@ -2,6 +2,7 @@
 #include "pipeline/reconstruction.h"
 
 #include "abrdf/for_each_texel.h"
+#include "abrdf/pair_features.h"
 #include "stages/slice/slice_texels.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ Rgb meanOf(std::span<const Rgb> image) {
 std::shared_ptr<const PriorModel> modelFor(const MethodChoice& choice, const PlannedMethod& planned,
                                            const ProgressSink& progress, const MessageSink& warn) {
     const SampleSet& samples = planned.samples;
-    const std::vector<LightAndView> outputs = pairsOf(planned.output);
+    const std::vector<LightAndView> outputs = distinctPairs(pairsOf(planned.output)).distinct;
     if (samples.dropped.empty()) {
         return priorFor(samples.directions, outputs, choice.prior, progress, warn);
     }

@@ -2,6 +2,7 @@
 #include "pipeline/train.h"
 
 #include "abrdf/output_file.h"
+#include "abrdf/pair_features.h"
 #include "pipeline/prior_cache.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/train/model_file.h"
@@ -23,6 +24,7 @@ nlohmann::ordered_json train(const TrainJob& job, const ProgressSink& progress,
     const SamplePlan plan = planFor(method, job.plan, measured, job.anywhere, progress, warn);
     const SampleSet samples =
         job.anywhere ? exactSamples(plan.samples) : chooseSamples(plan, measured, method.wish);
+    const std::vector<LightAndView> outputs = distinctPairs(pairsOf(output)).distinct;
     fs::path file = job.output;
     if (file.empty()) {
         const auto folder = cacheFolder();
@@ -30,10 +32,10 @@ nlohmann::ordered_json train(const TrainJob& job, const ProgressSink& progress,
             throw std::runtime_error(
                 "neither XDG_CACHE_HOME nor HOME says where the cache is; name a file with -o");
         }
-        priorFor(samples.directions, pairsOf(output), {{}, job.options}, progress, warn);
-        file = cachedModel(*folder, samples.directions, pairsOf(output), job.options);
+        priorFor(samples.directions, outputs, {{}, job.options}, progress, warn);
+        file = cachedModel(*folder, samples.directions, outputs, job.options);
     } else {
-        writeModel(file, trainPrior(samples.directions, pairsOf(output), job.options, progress));
+        writeModel(file, trainPrior(samples.directions, outputs, job.options, progress));
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return {{"command", "train"},

@@ -3,6 +3,7 @@
 // `prior`: the conditional mean of log luminance under what random materials show, chroma by
 // kriging (design: estimator.md, 2). Class, kernel and chroma features are chosen once a material,
 // from its mean; a texel then costs a few products with fixed matrices.
+#include "abrdf/pair_features.h"
 #include "stages/reconstruct/prior_material.h"
 #include "stages/reconstruct/reconstructor.h"
 
@@ -15,11 +16,14 @@ namespace {
 class Prior : public Reconstructor {
   public:
     explicit Prior(const ReconstructionTask& task)
-        : model_(task.prior), options_(task.options), material_(*task.prior, task.mean, options_) {}
+        : model_(task.prior),
+          options_(task.options),
+          rowOf_(distinctPairs(pairsOf(task.output)).rowOf),
+          material_(*task.prior, rowOf_, task.mean, options_) {}
 
     void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const override {
         if (options_.perTexel) {
-            PriorMaterial(*model_, samples, options_).reconstruct(samples, abrdfs);
+            PriorMaterial(*model_, rowOf_, samples, options_).reconstruct(samples, abrdfs);
         } else {
             material_.reconstruct(samples, abrdfs);
         }
@@ -31,6 +35,7 @@ class Prior : public Reconstructor {
   private:
     std::shared_ptr<const PriorModel> model_;
     ReconstructOptions options_;
+    std::vector<std::size_t> rowOf_;
     PriorMaterial material_;
 };
 
@@ -38,7 +43,7 @@ class Prior : public Reconstructor {
 
 std::unique_ptr<Reconstructor> makePrior(const ReconstructionTask& task) {
     if (!task.prior || task.prior->samples.size() != task.samples.count() ||
-        task.prior->outputs.size() != task.output.pairCount()) {
+        task.prior->outputs.size() != distinctPairs(pairsOf(task.output)).distinct.size()) {
         throw std::invalid_argument(
             "the prior's model is of another plan or grid than the job's; train one for it");
     }

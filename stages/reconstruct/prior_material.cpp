@@ -56,11 +56,12 @@ Rgb normalized(Rgb chroma, Rgb scale) {
 
 }  // namespace
 
-PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
-                             const ReconstructOptions& options)
+PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_t> rowOf,
+                             std::span<const Rgb> mean, const ReconstructOptions& options)
     : scaleFactor_(model.scaleFactor),
       sampleCount_(model.samples.size()),
-      cap_(static_cast<float>(std::log(3 / model.scaleFactor) + 0.7)) {
+      cap_(static_cast<float>(std::log(3 / model.scaleFactor) + 0.7)),
+      rowOf_(rowOf.begin(), rowOf.end()) {
     Eigen::MatrixX3d colors = matrixOf(mean);
     terms_ = chooseTerms(model, colors.rowwise().sum() / 3, options.noise);
     if (options.saturated > 0) {
@@ -70,10 +71,10 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
     }
     const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
     const ChromaKriging kriging(model.samples, colors, choiceExposure(luminance));
-    const IsotropicPairs isotropic = isotropicPairs(model.outputs);
+    const PairGroups isotropic = isotropicPairs(model.outputs);
     const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
     const std::vector<LightAndView>& outputs = fewRows ? isotropic.distinct : model.outputs;
-    if (fewRows) rowOf_ = isotropic.rowOf;
+    for (std::size_t& row : rowOf_) row = fewRows ? isotropic.rowOf[row] : row;
 
     const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
     luminance_ = LowRankMatrix(map.matrix, covarianceOf(model, terms_), options.rank);
@@ -250,8 +251,7 @@ void PriorMaterial::reconstruct(std::span<const Rgb> samples, std::span<Rgb> abr
 
     const std::size_t texels = inputs.scales.size();
     const std::size_t rows = luminance_.rows();
-    std::vector<Rgb> distinct(rowOf_.empty() ? 0 : texels * rows);
-    const std::span<Rgb> target = rowOf_.empty() ? abrdfs : std::span(distinct);
+    std::vector<Rgb> colors(texels * rows);
     constexpr std::size_t kPanels = 8;  // Their products stay in a core's own cache.
     for (std::size_t panel = 0; panel < luminance_.panels(); panel += kPanels) {
         const std::size_t first = panel * PackedMatrix::kPanel;
@@ -260,12 +260,15 @@ void PriorMaterial::reconstruct(std::span<const Rgb> samples, std::span<Rgb> abr
         const std::size_t count = std::min(products.stride, rows - first);
         for (std::size_t t = 0; t < texels; ++t) {
             for (std::size_t i = 0; i < count; ++i) {
-                target[t * rows + first + i] = colorOf(products, inputs.scales[t], t, i);
+                colors[t * rows + first + i] = colorOf(products, inputs.scales[t], t, i);
             }
         }
     }
-    for (std::size_t i = 0; i < (rowOf_.empty() ? 0 : abrdfs.size()); ++i) {
-        abrdfs[i] = distinct[i / rowOf_.size() * rows + rowOf_[i % rowOf_.size()]];
+    const std::size_t pairs = rowOf_.size();
+    for (std::size_t t = 0; t < texels; ++t) {
+        for (std::size_t i = 0; i < pairs; ++i) {
+            abrdfs[t * pairs + i] = colors[t * rows + rowOf_[i]];
+        }
     }
 }
 

@@ -18,9 +18,10 @@ namespace abrdf {
 /// The prior fitted to one material: fixed matrices for luminance and chroma of its texels.
 class PriorMaterial {
   public:
-    /// mean: the material's average samples, in the model's order.
-    PriorMaterial(const PriorModel& model, std::span<const Rgb> mean,
-                  const ReconstructOptions& options);
+    /// mean: the material's average samples, in the model's order; rowOf: of each output, its place
+    /// among the model's, which are distinct.
+    PriorMaterial(const PriorModel& model, std::span<const std::size_t> rowOf,
+                  std::span<const Rgb> mean, const ReconstructOptions& options);
 
     /// As Reconstructor::reconstruct(), for any number of texels.
     void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const;
@@ -67,7 +68,7 @@ class PriorMaterial {
     /// ln of the largest value relative to the scale: three times the largest samples, and a
     /// little room for a highlight between them.
     float cap_;
-    std::vector<std::size_t> rowOf_;  ///< Of each output; empty: the outputs are the rows.
+    std::vector<std::size_t> rowOf_;  ///< Of each output, its row of the maps.
     std::vector<PriorTerm> terms_;
     std::optional<CensoredSamples> censored_;  ///< Where samples may be clipped.
     LowRankMatrix luminance_;

@@ -151,7 +151,7 @@ std::uint64_t modelKey(const std::vector<LightAndView>& samples,
     bytes.add(kMagic);
     bytes.add(samples);
     bytes.add(outputs);
-    bytes.add(std::uint64_t{options.materials});
+    bytes.add(std::uint64_t{settled(options, outputs.size()).materials});
     bytes.add(options.seed);
     return contentHash(bytes.text());
 }

@@ -126,9 +126,20 @@ PriorClass learn(const Lesson& lesson, double scaleFactor, const std::vector<Lig
 
 }  // namespace
 
+TrainOptions settled(TrainOptions options, std::size_t outputs) {
+    constexpr std::size_t kMost = 2000;
+    constexpr std::size_t kLeast = 500;
+    if (options.materials == 0) {
+        options.materials =
+            std::clamp(kMost * 6561 / std::max<std::size_t>(outputs, 1), kLeast, kMost);
+    }
+    return options;
+}
+
 PriorModel trainPrior(const std::vector<LightAndView>& samples,
-                      const std::vector<LightAndView>& outputs, const TrainOptions& options,
+                      const std::vector<LightAndView>& outputs, const TrainOptions& asked,
                       const ProgressSink& progress) {
+    const TrainOptions options = settled(asked, outputs.size());
     if (samples.empty() || outputs.empty() || options.materials < 2) {
         throw std::invalid_argument("the prior needs samples, outputs and at least two materials");
     }
@@ -152,7 +163,7 @@ PriorModel trainPrior(const std::vector<LightAndView>& samples,
         tick();
     }
     model.scaleFactor = std::exp(-sumOfLogs / static_cast<double>(count));
-    const IsotropicPairs isotropic = isotropicPairs(outputs);
+    const PairGroups isotropic = isotropicPairs(outputs);
     for (const Lesson& lesson : lessons) {
         const bool isIso = lesson.materialClass == MaterialClass::kIso;
         model.classes.push_back(

@@ -42,7 +42,7 @@ TEST_CASE("isotropic twins are found by what turns and mirrors keep") {
     const std::vector<LightAndView> pairs = {{{0.5, 0}, {0.8, 1}}, {{0.5, 2}, {0.8, 3}},
                                              {{0.5, 1}, {0.8, 0}}, {{0.8, 0}, {0.5, 1}},
                                              {{0, 0}, {0.8, 1}},   {{0, 2}, {0.8, 5}}};
-    const IsotropicPairs isotropic = isotropicPairs(pairs);
+    const PairGroups isotropic = isotropicPairs(pairs);
     CHECK(isotropic.rowOf == std::vector<std::size_t>{0, 0, 0, 1, 2, 2});
     CHECK(isotropic.distinct.size() == 3);
     // 762 where azimuths at the pole are told apart.

@@ -104,8 +104,9 @@ TEST_CASE("a fault of the world is one sentence with the file's name, and exits 
 TEST_CASE("convert, inspect and evaluate agree about one database") {
     const TemporaryFolder folder;
     const std::string zip = "'" + demoZip().string() + "'";
-    const ProgramRun convert =
-        runProgram(folder.path(), "convert " + zip + " -o a.exr --report a.json --grid utia288");
+    const ProgramRun convert = runProgram(
+        folder.path(),
+        "convert " + zip + " -o a.exr --report a.json --grid utia288 --method published");
     REQUIRE_MESSAGE(convert.status == 0, convert.err);
     CHECK(readAtlasHeader(folder.path() / "a.exr").layout.width() == 288);
     std::ifstream stream(folder.path() / "a.json");
@@ -146,11 +147,51 @@ TEST_CASE("a dry run lists the images and writes nothing, no-clobber keeps an ol
     CHECK(fs::file_size(folder.path() / "a.exr") == 3);
 }
 
+TEST_CASE("a model trained ahead serves its plan, and no other") {
+    const TemporaryFolder folder;
+    const std::string zip = "'" + demoZip().string() + "'";
+    const ProgramRun train =
+        runProgram(folder.path(), "train --plan greedy:40 --materials 30 -o m.model --json -q");
+    REQUIRE_MESSAGE(train.status == 0, train.err);
+    CHECK(nlohmann::json::parse(train.out)["plan"]["samples"] == 40);
+    const ProgramRun run = runProgram(
+        folder.path(), "convert " + zip + " -o a.exr --plan greedy:40 --model m.model --json");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const auto report = nlohmann::json::parse(run.out);
+    CHECK(report["method"] == "prior");
+    CHECK(report["plan"]["images_read"] == 40);
+    CHECK(readAtlasHeader(folder.path() / "a.exr").plan == "greedy:40");
+    const ProgramRun other =
+        runProgram(folder.path(), "convert " + zip + " -o b.exr --plan greedy:39 --model m.model");
+    CHECK(other.status == 1);
+    CHECK(contains(other.err, "m.model: was trained for 40 samples"));
+    CHECK(filesIn(folder.path()) == std::vector<std::string>{"a.exr", "m.model"});
+}
+
+TEST_CASE("a plan in a file is taken as it stands") {
+    const TemporaryFolder folder;
+    const std::string zip = "'" + demoZip().string() + "'";
+    std::ofstream(folder.path() / "few.csv")
+        << "theta_i,phi_i,theta_v,phi_v\n30,0,30,180\n60,90,45,20\n0,0,75,15\n15,60,15,0\n";
+    const auto convert = [&](const std::string& plan) {
+        return runProgram(folder.path(),
+                          "convert " + zip + " -o a.exr --dry-run --json --plan " + plan);
+    };
+    CHECK(nlohmann::json::parse(convert("few.csv").out)["plan"]["images_read"] == 4);
+    std::ofstream(folder.path() / "few.toml")
+        << "name = 'few'\nsamples = [[30, 0, 30, 180], [60, 90, 45, 20]]\n";
+    CHECK(nlohmann::json::parse(convert("few.toml").out)["plan"]["name"] == "few");
+    std::ofstream(folder.path() / "bad.csv") << "30,0,30,180\n60,90,95,20\n";
+    const ProgramRun bad = convert("bad.csv");
+    CHECK(bad.status == 1);
+    CHECK(contains(bad.err, "bad.csv:2"));
+}
+
 TEST_CASE("a TOML file gives the same options, and the command line wins over it") {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "job.toml")
         << "input = '" << demoZip().string() << "'\noutput = 'a.exr'\ntexels = '2x2'\n"
-        << "elevations = [30, 60]\nlayout = 'spatial'\n";
+        << "elevations = [30, 60]\nlayout = 'spatial'\nmethod = 'published'\n";
     const ProgramRun run = runProgram(folder.path(), "convert --config job.toml --texels 3x1");
     REQUIRE_MESSAGE(run.status == 0, run.err);
     const AtlasHeader header = readAtlasHeader(folder.path() / "a.exr");

@@ -21,10 +21,15 @@ using namespace abrdf;
 
 namespace {
 
+/// The grid's pairs are all distinct.
+std::vector<std::size_t> rows() {
+    return distinctPairs(pairsOf(smallPrior().grid)).rowOf;
+}
+
 std::vector<Rgb> estimated(const std::vector<Rgb>& samples,
                            const ReconstructOptions& options = {}) {
     std::vector<Rgb> abrdf(smallPrior().grid.pairCount());
-    PriorMaterial(*smallPrior().model, samples, options).reconstruct(samples, abrdf);
+    PriorMaterial(*smallPrior().model, rows(), samples, options).reconstruct(samples, abrdf);
     return abrdf;
 }
 
@@ -86,7 +91,7 @@ TEST_CASE("the map of a mixture is its slow twin in double precision") {
             static_cast<double>(samples[k].r + samples[k].g + samples[k].b) / 3;
     }
     const Eigen::VectorXd z = logSamples(model, luminance).z;
-    const IsotropicPairs isotropic = isotropicPairs(model.outputs);
+    const PairGroups isotropic = isotropicPairs(model.outputs);
     const std::vector<std::vector<PriorTerm>> mixtures = {
         chooseTerms(model, luminance, 0),
         {{false, 0, 1, 3e-4, 0.5}, {false, 3, 4, 3e-3, 0.3}, {true, 0, 0, 0, 0.2}},
@@ -205,8 +210,8 @@ TEST_CASE("a low rank is exact for the material's mean, and costs less") {
         CHECK(few[i].g == doctest::Approx(full[i].g).epsilon(1e-3));
     }
     const PriorModel& model = *smallPrior().model;
-    CHECK(PriorMaterial(model, samples, {.rank = 4}).multiplyAdds() <
-          0.5 * PriorMaterial(model, samples, {}).multiplyAdds());
+    CHECK(PriorMaterial(model, rows(), samples, {.rank = 4}).multiplyAdds() <
+          0.5 * PriorMaterial(model, rows(), samples, {}).multiplyAdds());
 }
 
 TEST_CASE("a clipped highlight is put back above the clip, and no other sample is touched") {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The prior on measured materials, as far as they lie beside the checkout.
+#include "abrdf/sample_plan.h"
+#include "stages/measure/measures.h"
+#include "stages/reconstruct/prior_material.h"
+#include "stages/slice/choose_samples.h"
+#include "stages/train/train_prior.h"
+#include "tests/support/synthetic_btf.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+using namespace abrdf;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The ten measured materials and the rendered twill, all on UBO2003's grid.
+std::vector<std::vector<Rgb>> materials() {
+    std::vector<std::string> names;
+    const fs::path folder = fs::path(ABRDF_SHARED_DATA) / "measured81";
+    if (!fs::exists(folder)) return {};
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        names.push_back("measured81/" + entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    names.emplace_back("virtual/twill_mean_f32.bin");
+    std::vector<std::vector<Rgb>> tables;
+    for (const std::string& name : names) {
+        std::vector<Rgb> table = sharedTable(name);
+        if (table.size() == 6561) tables.push_back(std::move(table));
+    }
+    return tables;
+}
+
+struct Means {
+    double deltaE = 0;
+    double psnr = 0;
+    double highlightDeltaE = 0;
+    double highlightPsnr = 0;
+    double stops = 0;
+};
+
+Means meansOf(const SamplePlan& plan, const std::vector<std::vector<Rgb>>& tables) {
+    const AngularGrid grid(ubo81Directions());
+    const SampleSet samples = chooseSamples(plan, grid, SampleWish::kMeasuredPairs);
+    const PriorModel model = trainPrior(samples.directions, pairsOf(grid), {}, {});
+    std::vector<std::size_t> rows(grid.pairCount());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    Means means;
+    for (const std::vector<Rgb>& table : tables) {
+        std::vector<Rgb> values;
+        for (const std::size_t pair : samples.pairs) values.push_back(table[pair]);
+        std::vector<Rgb> abrdf(grid.pairCount());
+        PriorMaterial(model, rows, values, {}).reconstruct(values, abrdf);
+        const Accuracy a = measureAccuracy(table, abrdf, {}, {});
+        const auto share = 1 / static_cast<double>(tables.size());
+        means.deltaE += share * a.natural.deltaE;
+        means.psnr += share * a.natural.psnr;
+        means.highlightDeltaE += share * a.highlight.deltaE;
+        means.highlightPsnr += share * a.highlight.psnr;
+        means.stops += share * a.stops;
+    }
+    return means;
+}
+
+SamplePlan greedy(std::size_t count) {
+    const std::vector<std::size_t>& pairs = greedyPairsOfUbo81();
+    return pairsPlan("greedy", AngularGrid(ubo81Directions()),
+                     {pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count)});
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("slow");
+
+TEST_CASE("the prior reaches its figures on the measured materials") {
+    const auto tables = materials();
+    if (tables.empty()) {
+        MESSAGE("skipped: there are no measured materials beside this checkout");
+        return;
+    }
+    const AngularGrid grid(ubo81Directions());
+    const Means best = meansOf(greedy(204), tables);
+    CHECK(best.deltaE <= 1.25);
+    CHECK(best.psnr >= 40);
+    CHECK(best.highlightDeltaE <= 0.45);
+    CHECK(best.highlightPsnr >= 44);
+    CHECK(best.stops <= 0.15);
+    const Means few = meansOf(greedy(52), tables);
+    CHECK(few.deltaE <= 2.2);
+    CHECK(few.psnr >= 32.5);
+    const Means sixteen = meansOf(sixteenSlicesPlan(0, &grid), tables);
+    CHECK(sixteen.deltaE <= 1.55);
+    CHECK(sixteen.psnr >= 37);
+    const Means eight = meansOf(eightPlan(0, &grid), tables);
+    CHECK(eight.deltaE <= 3.0);
+    CHECK(eight.psnr >= 31.5);
+    const Means poster = meansOf(posterPlan({}), tables);
+    CHECK(poster.deltaE <= 3.7);
+    CHECK(poster.psnr >= 29.5);
+    for (const auto& [name, m] : {std::pair{"greedy 204", best},
+                                  {"greedy 52", few},
+                                  {"slices16", sixteen},
+                                  {"eight", eight},
+                                  {"poster", poster}}) {
+        MESSAGE(name << ": natural " << m.deltaE << " / " << m.psnr << " dB, highlight "
+                     << m.highlightDeltaE << " / " << m.highlightPsnr << " dB, stops " << m.stops);
+    }
+}
+
+TEST_SUITE_END();
