@@ -149,7 +149,16 @@ PlanName planNameFrom(const std::string& text) {
 
 SamplePlan posterPlan(const SlicePlan& slices) {
     checkPlan(slices);
-    return {slices.name, slices.samples(), slices};
+    SamplePlan plan{slices.name, {}, slices};
+    for (std::size_t s = 0; s < slices.subspaceCount(); ++s) {
+        for (const SliceKind kind : {SliceKind::kAxial, SliceKind::kDiagonal}) {
+            const int count = kind == SliceKind::kAxial ? slices.axialCount : slices.diagonalCount;
+            const std::vector<LightAndView> own = samplesOf(
+                Slice{kind, slices.thetaLight(s), slices.thetaView(s), slices.alpha, count, 0, 1});
+            plan.samples.insert(plan.samples.end(), own.begin(), own.end());
+        }
+    }
+    return plan;
 }
 
 SamplePlan eightPlan(std::size_t bound, const AngularGrid* snapTo) {

@@ -30,7 +30,9 @@ PlanName planNameFrom(const std::string& text);
 /// The most samples a named plan takes where no bound is given.
 inline constexpr std::size_t kPlanSamples = 204;
 
-/// The poster's plan with its numbers.
+/// The poster's plan with its numbers. Its slices hold samples evenly from azimuth 0, `samples` the
+/// same but for the diagonals, which begin at the mirror: the poster leaves that open, and the
+/// highlight is worth a sample to methods that take samples one by one.
 SamplePlan posterPlan(const SlicePlan& slices);
 
 /// Eight slices in four subspaces whose numbers were chosen for least error of `prior`. bound: at

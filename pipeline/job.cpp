@@ -135,8 +135,14 @@ const AngularGrid& sampledGrid(const Method& method, const OpenedInput& input,
 SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedInput& input,
                      const AngularGrid& output) {
     if (input.reader->table() != nullptr) {
-        return method.wish == SampleWish::kEverything ? exactSamples(pairsOf(output))
-                                                      : exactSamples(plan.samples);
+        switch (method.wish) {
+            case SampleWish::kEverything:
+                return exactSamples(pairsOf(output));
+            case SampleWish::kSlices:
+                return exactSamples(plan.posterSlices->samples());
+            case SampleWish::kMeasuredPairs:
+                return exactSamples(plan.samples);
+        }
     }
     const BtfDescription& description = input.description();
     if (method.wish == SampleWish::kSlices) checkElevations(*plan.posterSlices, input);

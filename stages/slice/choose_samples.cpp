@@ -57,7 +57,8 @@ SampleSet chooseSamples(const SamplePlan& plan, const AngularGrid& grid, SampleW
     } else if (wish == SampleWish::kSlices) {
         const AngularInterpolation lights(grid.lights());
         const AngularInterpolation views(grid.views());
-        set.directions = plan.samples;
+        if (!plan.posterSlices) throw std::invalid_argument("the plan has no slices");
+        set.directions = plan.posterSlices->samples();
         for (const LightAndView& wanted : set.directions) {
             set.sources.push_back(pairWeights(grid, lights, views, wanted));
         }
