@@ -32,6 +32,9 @@ void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
 
+/// --pattern and --utia-encoding: for every command that opens a database.
+void addReadOptions(CLI::App& command, ReadOptions& options);
+
 /// The input, its colours and missing images: for every command on a database.
 void addInputOptions(CLI::App& command, InputOptions& options);
 

@@ -61,7 +61,7 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
     header.cosine = options.divideCosine && description.cosine == Cosine::kKept
                         ? Cosine::kDivided
                         : description.cosine;
-    header.maxMeasuredTheta = description.grid.maxTheta();
+    header.maxMeasuredTheta = description.maxMeasuredTheta;
     header.colorSpace = job.input.colors.spaceName(options.outputSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
@@ -165,6 +165,7 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
                        {"width", description.width},
                        {"height", description.height},
                        {"images", description.imageCount()},
+                       {"below_horizon", description.belowHorizon},
                        {"cosine", nameOf(description.cosine)},
                        {"color_space", job.input.inputSpace}};
     report["plan"] = {{"name", job.header.plan},

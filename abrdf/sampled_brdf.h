@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abrdf/angular_interpolation.h"
+#include "abrdf/brdf_table.h"
+
+#include <vector>
+
+namespace abrdf {
+
+/// Values at the pairs of a grid, interpolated between them.
+class SampledBrdf : public BrdfTable {
+  public:
+    /// values: one a pair of the grid, as evaluate() returns them.
+    /// Throws std::invalid_argument for another number of them.
+    SampledBrdf(AngularGrid grid, std::vector<Rgb> values);
+
+    Rgb evaluate(const LightAndView& pair) const override;
+
+    const AngularGrid& grid() const { return grid_; }
+    const std::vector<Rgb>& values() const { return values_; }
+
+  private:
+    AngularGrid grid_;
+    std::vector<Rgb> values_;
+    AngularInterpolation lights_;
+    AngularInterpolation views_;
+};
+
+}  // namespace abrdf

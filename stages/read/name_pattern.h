@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "stages/read/angle_keys.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abrdf {
+
+/// A user's own convention of names: "view_{tv}_{pv}/light_{tl}_{pl}.exr". {tl} {pl} {tv} {pv}
+/// stand for numbers in degrees, * for any characters but '/'. The pattern must fit from a folder's
+/// beginning to the end of the name, so that folders above do not matter.
+class NamePattern {
+  public:
+    /// Throws std::invalid_argument where one of the four keys is absent, double or unknown.
+    explicit NamePattern(const std::string& text);
+
+    /// Nothing where the name does not fit.
+    std::optional<AngleKeys> match(std::string_view path) const;
+
+  private:
+    struct Part {
+        std::string literal;               ///< Text; or empty, then a key or anything:
+        double AngleKeys::*key = nullptr;  ///< Null: any characters but '/'.
+    };
+
+    bool matchFrom(std::size_t part, std::string_view rest, AngleKeys& keys) const;
+
+    std::vector<Part> parts_;
+};
+
+}  // namespace abrdf
