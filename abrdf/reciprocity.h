@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abrdf/angular_grid.h"
-#include "abrdf/atlas_header.h"
+#include "abrdf/cosine.h"
 #include "color/rgb.h"
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abrdf/angular_interpolation.h"
 #include "abrdf/brdf_table.h"
+#include "abrdf/pair_interpolation.h"
 
 #include <vector>
 
@@ -15,7 +15,9 @@ class SampledBrdf : public BrdfTable {
     /// Throws std::invalid_argument for another number of them.
     SampledBrdf(AngularGrid grid, std::vector<Rgb> values);
 
-    Rgb evaluate(const LightAndView& pair) const override;
+    Rgb evaluate(const LightAndView& pair) const override {
+        return interpolation_.value(pair, values_);
+    }
 
     const AngularGrid& grid() const { return grid_; }
     const std::vector<Rgb>& values() const { return values_; }
@@ -23,8 +25,7 @@ class SampledBrdf : public BrdfTable {
   private:
     AngularGrid grid_;
     std::vector<Rgb> values_;
-    AngularInterpolation lights_;
-    AngularInterpolation views_;
+    PairInterpolation interpolation_;
 };
 
 }  // namespace abrdf
