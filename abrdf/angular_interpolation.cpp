@@ -55,6 +55,12 @@ AngularInterpolation::AngularInterpolation(std::vector<Direction> directions)
     for (Ring& ring : rings_) {
         std::ranges::stable_sort(ring.indices, {}, azimuth);
         for (const std::size_t i : ring.indices) ring.azimuths.push_back(azimuth(i));
+        const std::size_t n = ring.indices.size();
+        const Radians step = 2 * kPi / static_cast<double>(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            const Radians even = ring.azimuths[0] + static_cast<double>(k) * step;
+            ring.isEven = ring.isEven && std::abs(ring.azimuths[k] - even) < 2 * kSameAngle;
+        }
     }
     // Fewer than three directions a ring on average: a scattered list.
     if (rings_.size() > 1 && rings_.size() * 3 > directions_.size()) rings_.clear();
@@ -80,15 +86,14 @@ RingCell AngularInterpolation::cellOf(Radians theta) const {
     return {place - 1, place, (theta - below) / (above->theta - below), false};
 }
 
-DirectionWeights AngularInterpolation::onRing(std::size_t ring, Radians phi) const {
-    DirectionWeights result;
-    addLinear(rings_[ring], phi, 1, result);
-    return result;
+RingWeights AngularInterpolation::onRing(std::size_t ring, Radians phi) const {
+    return linearOn(rings_[ring], phi);
 }
 
 DirectionWeights AngularInterpolation::weights(Direction target) const {
     if (rings_.empty()) return nearestEight(target);
     DirectionWeights result;
+    result.terms.reserve(4);
     if (isNearerPole(target.theta)) {
         const Ring& first = rings_.front();
         const double share = std::max(0.0, target.theta / first.theta);
@@ -109,6 +114,7 @@ DirectionWeights AngularInterpolation::smoothWeights(Direction target) const {
     const bool hasPole = !rings_.empty() && rings_.front().theta <= kSameAngle;
     if (!hasPole || rings_.size() < kNodes) return weights(target);
     DirectionWeights result;
+    result.terms.reserve(kNodes * kNodes);
     const RingCell cell = cellOf(target.theta);
     result.extrapolated = cell.extrapolated;
     if (cell.below == cell.above) {
@@ -150,36 +156,40 @@ AngularInterpolation::AzimuthPlace AngularInterpolation::placeOn(const Ring& rin
     return {before, gap, past};
 }
 
-void AngularInterpolation::addLinear(const Ring& ring, Radians phi, double weight,
-                                     DirectionWeights& result) {
+RingWeights AngularInterpolation::linearOn(const Ring& ring, Radians phi) {
     const AzimuthPlace place = placeOn(ring, phi);
     const double share = std::min(1.0, place.past / place.gap);
-    result.add(ring.indices[place.before], weight * (1 - share));
-    result.add(ring.indices[(place.before + 1) % ring.indices.size()], weight * share);
+    const std::size_t before = ring.indices[place.before];
+    const std::size_t after = ring.indices[(place.before + 1) % ring.indices.size()];
+    if (share == 0 || before == after) return {{{{before, 1}, {}}}, 1};
+    return {{{{before, 1 - share}, {after, share}}}, 2};
+}
+
+void AngularInterpolation::addLinear(const Ring& ring, Radians phi, double weight,
+                                     DirectionWeights& result) {
+    const RingWeights along = linearOn(ring, phi);
+    for (std::size_t i = 0; i < along.count; ++i) {
+        result.add(along.terms[i].index, weight * along.terms[i].weight);
+    }
 }
 
 void AngularInterpolation::addCubic(const Ring& ring, Radians phi, double weight,
                                     DirectionWeights& result) {
     const std::size_t n = ring.indices.size();
     const AzimuthPlace place = placeOn(ring, phi);
-    // On fewer than six azimuths, or across a wide gap, a cubic says nothing.
-    constexpr Radians kWide = radiansFromDegrees(61);
-    std::array<double, 4> azimuths{};
-    std::array<std::size_t, 4> nodes{};
-    bool fits = n >= 6 && place.past > 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-        nodes[j] = (place.before + n + j - 1) % n;
-        const Radians turn = ring.azimuths[nodes[j]] - ring.azimuths[place.before];
-        azimuths[j] = j == 0 ? wrappedAzimuth(turn) - 2 * kPi : wrappedAzimuth(turn);
-        if (j > 0) fits = fits && azimuths[j] - azimuths[j - 1] < kWide;
-        if (j > 0) fits = fits && azimuths[j] > azimuths[j - 1];
-    }
-    if (!fits) {
+    // On fewer than six azimuths, or uneven ones, a cubic says nothing.
+    if (place.past == 0 || n < 6 || !ring.isEven) {
         addLinear(ring, phi, weight, result);
         return;
     }
-    const auto shares = lagrangeWeights(azimuths, place.past);
-    for (std::size_t j = 0; j < 4; ++j) result.add(ring.indices[nodes[j]], weight * shares[j]);
+    // Lagrange's weights of the nodes -1, 0, 1, 2 at t.
+    const double t = place.past / place.gap;
+    const std::array<double, 4> shares = {-t * (t - 1) * (t - 2) / 6,
+                                          (t + 1) * (t - 1) * (t - 2) / 2,
+                                          -(t + 1) * t * (t - 2) / 2, (t + 1) * t * (t - 1) / 6};
+    for (std::size_t j = 0; j < 4; ++j) {
+        result.add(ring.indices[(place.before + n + j - 1) % n], weight * shares[j]);
+    }
 }
 
 DirectionWeights AngularInterpolation::nearestEight(Direction target) const {

@@ -3,6 +3,7 @@
 
 #include "abrdf/direction.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -18,6 +19,12 @@ struct DirectionWeights {
     bool extrapolated = false;  ///< The target lies past the last ring: the ring's value is held.
 
     void add(std::size_t index, double weight);
+};
+
+/// The one or two directions of a ring around an azimuth.
+struct RingWeights {
+    std::array<DirectionWeights::Term, 2> terms{};
+    std::size_t count = 0;
 };
 
 /// Two neighbouring rings and the share of the upper one, 0 .. 1. Equal where one ring says all.
@@ -58,14 +65,15 @@ class AngularInterpolation {
     /// The rings around `theta`, which must not lie nearer the pole than the first one.
     RingCell cellOf(Radians theta) const;
 
-    /// The one or two directions of a ring around an azimuth.
-    DirectionWeights onRing(std::size_t ring, Radians phi) const;
+    /// Linear in phi along one ring.
+    RingWeights onRing(std::size_t ring, Radians phi) const;
 
   private:
     struct Ring {
         Radians theta = 0;
         std::vector<std::size_t> indices;  ///< Sorted by azimuth.
         std::vector<Radians> azimuths;     ///< Of `indices`, 0 .. 2 pi.
+        bool isEven = true;                ///< The azimuths are evenly spaced.
     };
 
     /// Where an azimuth falls on a ring: the last direction at or before it, and the way on.
@@ -76,6 +84,7 @@ class AngularInterpolation {
     };
 
     static AzimuthPlace placeOn(const Ring& ring, Radians phi);
+    static RingWeights linearOn(const Ring& ring, Radians phi);
     static void addLinear(const Ring& ring, Radians phi, double weight, DirectionWeights& result);
     static void addCubic(const Ring& ring, Radians phi, double weight, DirectionWeights& result);
     DirectionWeights nearestEight(Direction target) const;

@@ -87,14 +87,16 @@ void PairInterpolation::addTurned(std::size_t lightRing, std::size_t viewRing,
     const Direction& leader = lightLeads ? target.light : target.view;
     const Direction& follower = lightLeads ? target.view : target.light;
     const std::size_t leadingRing = lightLeads ? lightRing : viewRing;
-    const auto leaders = leading.onRing(leadingRing, leader.phi);
-    for (const auto& lead : leaders.terms) {
+    const RingWeights leaders = leading.onRing(leadingRing, leader.phi);
+    for (std::size_t i = 0; i < leaders.count; ++i) {
+        const auto& lead = leaders.terms[i];
         // One direction stands for all azimuths, or is the wanted one: nothing to turn.
         const Radians turn =
-            leaders.terms.size() == 1 ? 0 : leading.directions()[lead.index].phi - leader.phi;
-        const auto followers =
+            leaders.count == 1 ? 0 : leading.directions()[lead.index].phi - leader.phi;
+        const RingWeights followers =
             following.onRing(lightLeads ? viewRing : lightRing, follower.phi + turn);
-        for (const auto& follow : followers.terms) {
+        for (std::size_t j = 0; j < followers.count; ++j) {
+            const auto& follow = followers.terms[j];
             const std::size_t light = lightLeads ? lead.index : follow.index;
             const std::size_t view = lightLeads ? follow.index : lead.index;
             add(light * viewCount_ + view, weight * lead.weight * follow.weight);

@@ -18,6 +18,15 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
         "of UTIA BRDF files: linear | srgb | srgb140 (else told from the values)");
 }
 
+void addGrazingOption(CLI::App& command, Grazing& grazing) {
+    const std::map<std::string, Grazing> policies = {
+        {"hold", Grazing::kHold}, {"fade", Grazing::kFade}, {"extrapolate", Grazing::kExtrapolate}};
+    command
+        .add_option("--grazing", grazing,
+                    "past the measured elevations: hold (the default) | fade | extrapolate")
+        ->transform(CLI::CheckedTransformer(policies));
+}
+
 void addInputOptions(CLI::App& command, InputOptions& options) {
     command
         .add_option("INPUT", options.input,

@@ -6,6 +6,8 @@
 #include "stages/read/btf_reader.h"
 #include "stages/read/database_path.h"
 
+#include <algorithm>
+
 namespace abrdf {
 
 namespace {
@@ -24,7 +26,8 @@ class AtlasInputReader : public BtfReader {
         description_.colorSpace = header.colorSpace;
         description_.cosine = header.cosine;
         description_.cosineFrom = "header";
-        description_.maxMeasuredTheta = header.maxMeasuredTheta;
+        // What lies between the grid's last elevation and the source's is not in the atlas.
+        description_.maxMeasuredTheta = std::min(header.maxMeasuredTheta, header.grid.maxTheta());
     }
 
     const BtfDescription& description() const override { return description_; }
