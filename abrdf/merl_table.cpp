@@ -55,6 +55,7 @@ Rgb MerlTable::evaluate(const LightAndView& pair) const {
         clampedBetween(angles.thetaDifference / (kPi / 2) * kThetaDifference, kThetaDifference);
     const Between phi =
         periodicBetween(angles.phiDifference / kPi * kPhiDifference, kPhiDifference);
+    constexpr double kRounding = 1e-9;  // At an entry's middle the others have no say.
     double weights = 0;
     std::array<double, 3> sum{};
     for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -68,7 +69,7 @@ Rgb MerlTable::evaluate(const LightAndView& pair) const {
         const std::size_t d = choose(difference, 1, weight);
         const std::size_t p = choose(phi, 2, weight);
         const Rgb value = brdf_[entry(h, d, p)];
-        if (weight <= 0 || !isFinite(value)) continue;
+        if (weight < kRounding || !isFinite(value)) continue;
         weights += weight;
         sum[0] += weight * static_cast<double>(value.r);
         sum[1] += weight * static_cast<double>(value.g);

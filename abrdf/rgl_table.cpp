@@ -75,7 +75,9 @@ Rgb RglTable::evaluate(const LightAndView& pair) const {
     // At the pole rounding would choose the azimuth.
     const Radians phiHalf = sinHalf > 1e-9 ? azimuthOf(half) : phiIn;
     const double turn = squareFromPhi(phiHalf - (isotropic_ ? phiIn : 0));
-    const SquarePlace micronormal = {squareFromTheta(thetaHalf), turn - std::floor(turn)};
+    // So would it at half a turn, where the square's two edges meet.
+    const double wrapped = turn - std::floor(turn);
+    const SquarePlace micronormal = {squareFromTheta(thetaHalf), wrapped < 1 - 1e-9 ? wrapped : 0};
     const TableBlend blend = blendOf(phiIn, pair.view.theta);
     const SquarePlace sample = warp_.invert(micronormal, blend);
     double factor = kPi;

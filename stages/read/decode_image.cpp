@@ -12,6 +12,7 @@
 #include <memory>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -104,8 +105,17 @@ struct OpenImage {
     std::unique_ptr<OIIO::ImageInput> input;
 };
 
+/// 1 .. 8 as in TIFF and Exif: from 5 on the stored rows are columns.
+int orientationOf(const OIIO::ImageInput& input) {
+    const int orientation = input.spec().get_int_attribute("Orientation", 1);
+    if (orientation < 1 || orientation > 8) return 1;
+    // OpenImageIO 2.4 calls Radiance's +X +Y 6 and its -X -Y 8, which TIFF has the other way.
+    const bool isSwapped =
+        std::string_view(input.format_name()) == "hdr" && (orientation == 6 || orientation == 8);
+    return isSwapped ? 14 - orientation : orientation;
+}
+
 /// Turns an image so that its first row is the top one and its first column the left one.
-/// orientation: 1 .. 8 as in TIFF and Exif: from 5 on the stored rows are columns.
 EncodedImage upright(const EncodedImage& stored, int orientation) {
     const bool swapped = orientation >= 5;
     const bool fromRight =
@@ -168,7 +178,7 @@ EncodedImage decodeImage(std::span<const char> bytes, const std::string& name) {
     const OpenImage open(bytes, name);
     const OIIO::ImageSpec& spec = open.input->spec();
     EncodedImage image{spec.width, spec.height, {}};
-    const int orientation = spec.get_int_attribute("Orientation", 1);
+    const int orientation = orientationOf(*open.input);
     if (spec.format == OIIO::TypeDesc::UINT8) {
         image.rgb = readPixels<std::uint8_t>(*open.input, OIIO::TypeDesc::UINT8, name);
     } else {
