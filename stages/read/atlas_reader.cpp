@@ -45,6 +45,13 @@ Atlas readAtlas(const std::filesystem::path& path) {
         AtlasHeader header = atlasHeaderFrom(file.header(), path.string());
         const auto width = static_cast<std::size_t>(header.layout.width());
         const auto height = static_cast<std::size_t>(header.layout.height());
+        // Deflate makes at most 1032 bytes of one: a header that declares more lies.
+        constexpr std::uintmax_t kMaxPixelsOfByte = 512;
+        if (width * height > kMaxPixelsOfByte * std::filesystem::file_size(path)) {
+            throw std::runtime_error(
+                fmt::format("{}: is damaged: it declares {} x {} pixels in {} bytes", path.string(),
+                            width, height, std::filesystem::file_size(path)));
+        }
         std::vector<Rgb> pixels(width * height);
         Imf::FrameBuffer buffer;
         std::size_t offset = 0;
