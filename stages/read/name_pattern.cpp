@@ -54,8 +54,7 @@ NamePattern::NamePattern(const std::string& text) {
 
 std::optional<AngleKeys> NamePattern::match(std::string_view path) const {
     for (std::size_t begin = 0; begin <= path.size();) {
-        AngleKeys keys;
-        if (matchFrom(0, path.substr(begin), keys)) return keys;
+        if (const auto keys = matchWhole(path.substr(begin))) return keys;
         const std::size_t slash = path.find('/', begin);
         if (slash == std::string_view::npos) break;
         begin = slash + 1;
@@ -63,24 +62,42 @@ std::optional<AngleKeys> NamePattern::match(std::string_view path) const {
     return {};
 }
 
-bool NamePattern::matchFrom(std::size_t part, std::string_view rest, AngleKeys& keys) const {
-    if (part == parts_.size()) return rest.empty();
-    const Part& p = parts_[part];
-    if (!p.literal.empty()) {
-        return rest.starts_with(p.literal) &&
-               matchFrom(part + 1, rest.substr(p.literal.size()), keys);
+std::optional<std::size_t> NamePattern::matchPart(const Part& part, std::string_view rest,
+                                                  AngleKeys& keys) {
+    if (!part.literal.empty()) {
+        return rest.starts_with(part.literal) ? std::optional(part.literal.size()) : std::nullopt;
     }
-    if (p.key != nullptr) {
-        const auto number = numberAtBegin(rest);
-        if (!number) return false;
-        keys.*p.key = number->value;
-        return matchFrom(part + 1, rest.substr(number->length), keys);
+    const auto number = numberAtBegin(rest);
+    if (!number) return {};
+    keys.*part.key = number->value;
+    return number->length;
+}
+
+std::optional<AngleKeys> NamePattern::matchWhole(std::string_view name) const {
+    // Only the last * needs to give: what an earlier one could take, the later one can as well.
+    std::optional<std::size_t> star;
+    std::size_t afterStar = 0;
+    std::size_t part = 0;
+    std::size_t place = 0;
+    AngleKeys keys;
+    while (part < parts_.size() || place < name.size()) {
+        if (part < parts_.size() && parts_[part].isAnything()) {
+            star = part++;
+            afterStar = place;
+            continue;
+        }
+        const auto length =
+            part < parts_.size() ? matchPart(parts_[part], name.substr(place), keys) : std::nullopt;
+        if (length) {
+            place += *length;
+            ++part;
+        } else {
+            if (!star || afterStar >= name.size() || name[afterStar] == '/') return {};
+            place = ++afterStar;
+            part = *star + 1;
+        }
     }
-    for (std::size_t skipped = 0; skipped <= rest.size(); ++skipped) {
-        if (matchFrom(part + 1, rest.substr(skipped), keys)) return true;
-        if (skipped < rest.size() && rest[skipped] == '/') return false;
-    }
-    return false;
+    return keys;
 }
 
 }  // namespace abrdf

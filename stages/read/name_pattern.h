@@ -25,9 +25,15 @@ class NamePattern {
     struct Part {
         std::string literal;               ///< Text; or empty, then a key or anything:
         double AngleKeys::*key = nullptr;  ///< Null: any characters but '/'.
+
+        bool isAnything() const { return literal.empty() && key == nullptr; }
     };
 
-    bool matchFrom(std::size_t part, std::string_view rest, AngleKeys& keys) const;
+    std::optional<AngleKeys> matchWhole(std::string_view name) const;
+
+    /// Characters that the part takes from the beginning of `rest`; nothing where it does not fit.
+    static std::optional<std::size_t> matchPart(const Part& part, std::string_view rest,
+                                                AngleKeys& keys);
 
     std::vector<Part> parts_;
 };

@@ -164,6 +164,11 @@ TEST_CASE("a pattern fits whole parts of a path, with any characters for *") {
     CHECK_FALSE(pattern.match("top/any_30_0/l15p270"));
     CHECK_FALSE(pattern.match("any_30/0/l15p270.exr"));
     CHECK_FALSE(pattern.match("any_30_0/xl15p270.exr"));
+    // Many stars cost no more than their number times the name's length.
+    std::string stars = "{tl}{pl}{tv}{pv}";
+    for (int i = 0; i < 30; ++i) stars += "*a";
+    CHECK_FALSE(NamePattern(stars).match("1-2-3-4" + std::string(200, 'a') + "b"));
+    CHECK(NamePattern(stars).match("1-2-3-4" + std::string(200, 'a')));
     for (const char* bad : {"{tl}{tl}{pl}{tv}{pv}", "{tl}{pl}{tv}", "{tl}{pl}{tv}{pv}{x}", ""}) {
         CHECK_THROWS_AS(NamePattern{bad}, std::invalid_argument);
     }
