@@ -2,6 +2,7 @@
 #include "stages/read/decode_image.h"
 
 #include "stages/read/decode_jpeg.h"
+#include "stages/read/exr_header_check.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -90,8 +91,9 @@ std::vector<T> readPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, const st
 /// An image that OpenImageIO has opened from memory, and whose header is possible.
 struct OpenImage {
     OpenImage(std::span<const char> bytes, const std::string& name)
-        : memory(const_cast<char*>(bytes.data()), bytes.size()),
-          input(OIIO::ImageInput::open("image." + lowerExtension(name), nullptr, &memory)) {
+        : memory(const_cast<char*>(bytes.data()), bytes.size()) {
+        if (beginsAsExr(bytes)) checkExrHeader(bytes, name);
+        input = OIIO::ImageInput::open("image." + lowerExtension(name), nullptr, &memory);
         if (!input) throw badImage(name, OIIO::geterror());
         const OIIO::ImageSpec& spec = input->spec();
         checkImageSize(spec.width, spec.height, bytes.size(), name);
