@@ -14,7 +14,9 @@ struct NodePlace {
 };
 
 NodePlace nodePlace(double place, std::size_t nodes) {
-    const double scaled = std::clamp(place, 0.0, 1.0) * static_cast<double>(nodes - 1);
+    // Not clamp(): a density with negative or huge numbers can make NaN of a place.
+    const double inside = place > 0 ? std::min(place, 1.0) : 0;
+    const double scaled = inside * static_cast<double>(nodes - 1);
     const std::size_t node = std::min(static_cast<std::size_t>(scaled), nodes - 2);
     return {node, scaled - static_cast<double>(node)};
 }

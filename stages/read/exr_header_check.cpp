@@ -50,10 +50,51 @@ std::uint64_t linesOfCompression(std::uint8_t compression) {
     return compression < kLines.size() ? kLines[compression] : 256;
 }
 
+struct SizedType {
+    std::string_view name;
+    std::int32_t bytes;
+};
+/// OpenEXR reads these by their type, whatever size the file says: they must agree.
+constexpr std::array kSizedTypes{
+    SizedType{"box2i", 16},   SizedType{"box2f", 16},      SizedType{"chromaticities", 32},
+    SizedType{"double", 8},   SizedType{"compression", 1}, SizedType{"deepImageState", 1},
+    SizedType{"envmap", 1},   SizedType{"float", 4},       SizedType{"int", 4},
+    SizedType{"keycode", 28}, SizedType{"lineOrder", 1},   SizedType{"m33f", 36},
+    SizedType{"m33d", 72},    SizedType{"m44f", 64},       SizedType{"m44d", 128},
+    SizedType{"rational", 8}, SizedType{"tiledesc", 9},    SizedType{"timecode", 8},
+    SizedType{"v2i", 8},      SizedType{"v2f", 8},         SizedType{"v2d", 16},
+    SizedType{"v3i", 12},     SizedType{"v3f", 12},        SizedType{"v3d", 24},
+};
+
+/// The channels of a list, which must end where its attribute does.
+std::uint64_t channelsIn(ByteCursor& list) {
+    constexpr std::uint64_t kBytesOfChannel = 16;
+    std::uint64_t count = 0;
+    while (!readName(list).empty()) {
+        list.take(kBytesOfChannel, "channel");
+        ++count;
+    }
+    if (list.left() > 0) list.fail("its list of channels ends before its attribute");
+    return std::max<std::uint64_t>(1, count);
+}
+
+void checkTexts(ByteCursor& texts) {
+    while (texts.left() > 0) {
+        const auto size = texts.number<std::int32_t>("text");
+        if (size < 0) texts.fail(fmt::format("it declares a text of {} characters", size));
+        texts.take(static_cast<std::uint64_t>(size), "text");
+    }
+}
+
 void readAttribute(ByteCursor& file, const std::string& name, Part& part) {
     const std::string type = readName(file);
     const auto size = file.number<std::int32_t>("attribute");
     if (size < 0) file.fail(fmt::format("its attribute {} has a size of {}", name, size));
+    for (const SizedType& sized : kSizedTypes) {
+        if (type == sized.name && size != sized.bytes) {
+            file.fail(fmt::format("its {} attribute {} has {} bytes", type, name, size));
+        }
+    }
     const auto value = file.take(static_cast<std::uint64_t>(size), name.c_str());
     ByteCursor content(value, file.name());
     if (type == "box2i" && name == "dataWindow") {
@@ -62,8 +103,11 @@ void readAttribute(ByteCursor& file, const std::string& name, Part& part) {
         part.width = box[2] - box[0] + 1;
         part.height = box[3] - box[1] + 1;
     } else if (type == "chlist") {
-        constexpr std::uint64_t kLeastBytesOfChannel = 18;
-        part.channels = std::max<std::uint64_t>(1, value.size() / kLeastBytesOfChannel);
+        part.channels = channelsIn(content);
+    } else if (type == "stringvector") {
+        checkTexts(content);
+    } else if (type == "idmanifest" && size < 8) {
+        file.fail("its manifest of ids has no size");
     } else if (type == "compression") {
         part.linesOfChunk = linesOfCompression(content.number<std::uint8_t>("compression"));
     } else if (type == "tiledesc") {
@@ -73,7 +117,7 @@ void readAttribute(ByteCursor& file, const std::string& name, Part& part) {
     } else if (type == "preview") {
         const std::uint64_t pixels =
             boundedProduct(content.u32("preview"), content.u32("preview"), value.size());
-        if (4 * pixels > content.left()) file.fail("its preview is larger than its attribute");
+        if (4 * pixels != content.left()) file.fail("its preview is not as large as it says");
     }
 }
 
