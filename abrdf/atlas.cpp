@@ -8,10 +8,7 @@
 namespace abrdf {
 
 Atlas::Atlas(AtlasHeader header, std::vector<Rgb> pixels)
-    : header_(std::move(header)),
-      pixels_(std::move(pixels)),
-      lights_(header_.grid.lights()),
-      views_(header_.grid.views()) {
+    : header_(std::move(header)), pixels_(std::move(pixels)), interpolation_(header_.grid) {
     if (pixels_.size() != header_.layout.texelCount() * header_.grid.pairCount()) {
         throw std::invalid_argument("an atlas needs as many pixels as its header says");
     }
@@ -25,7 +22,7 @@ Rgb Atlas::at(const AtlasSample& sample) const {
 }
 
 std::vector<WeightedPair> Atlas::weights(Direction light, Direction view) const {
-    return pairWeights(header_.grid, lights_, views_, {light, view});
+    return interpolation_.weights({light, view});
 }
 
 Rgb lookUp(const Atlas& atlas, Direction light, Direction view, int texelX, int texelY) {

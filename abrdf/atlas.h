@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abrdf/angular_interpolation.h"
 #include "abrdf/atlas_header.h"
+#include "abrdf/pair_interpolation.h"
 #include "color/rgb.h"
 
 #include <vector>
@@ -26,8 +26,7 @@ class Atlas {
   private:
     AtlasHeader header_;
     std::vector<Rgb> pixels_;
-    AngularInterpolation lights_;
-    AngularInterpolation views_;
+    PairInterpolation interpolation_;
 };
 
 /// B(light, view) of a texel: exact at the atlas's directions, interpolated between them, held

@@ -54,25 +54,6 @@ const auto& valueOf(const Imf::Header& header, const char* name, const std::stri
 
 }  // namespace
 
-std::string nameOf(Cosine cosine) {
-    switch (cosine) {
-        case Cosine::kKept:
-            return "kept";
-        case Cosine::kDivided:
-            return "divided";
-        case Cosine::kAbsent:
-            return "absent";
-    }
-    return "kept";
-}
-
-Cosine cosineFromName(const std::string& name) {
-    for (const Cosine cosine : {Cosine::kKept, Cosine::kDivided, Cosine::kAbsent}) {
-        if (nameOf(cosine) == name) return cosine;
-    }
-    throw std::invalid_argument(fmt::format("'{}' is not kept, divided or absent", name));
-}
-
 ValueCounts& ValueCounts::operator+=(const ValueCounts& other) {
     clamped += other.clamped;
     extrapolated += other.extrapolated;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/grazing.h"
 #include "abrdf/progress.h"
 #include "pipeline/reconstruction.h"
 
@@ -30,7 +31,14 @@ void addConvert(CLI::App& app, RunCommand& run);
 void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
+void addExport(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
+
+/// --pattern and --utia-encoding: for every command that opens a database.
+void addReadOptions(CLI::App& command, ReadOptions& options);
+
+/// --grazing, for commands that write on a grid of the user's choice.
+void addGrazingOption(CLI::App& command, Grazing& grazing);
 
 /// The input, its colours and missing images: for every command on a database.
 void addInputOptions(CLI::App& command, InputOptions& options);

@@ -112,6 +112,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addInspect(app, run);
     abrdf::addEvaluate(app, run);
     abrdf::addTrain(app, run);
+    abrdf::addExport(app, run);
     abrdf::addDemo(app, run);
     app.require_subcommand(0, 1);
     try {
@@ -129,7 +130,7 @@ int runProgram(std::vector<std::string> words) {
         return 0;
     }
     if (!run) {
-        std::cerr << "abrdf: which command? convert, inspect, evaluate, train or demo; abrdf "
+        std::cerr << "abrdf: which command? convert, inspect, evaluate, train, export or demo; abrdf "
                      "--help says more\n";
         return kWrongUsage;
     }

@@ -30,22 +30,13 @@ struct Job {
     OpenedInput input;
     PlannedMethod planned;
     AngularGrid grid;
+    GrazingMap grazing;  ///< From the elevations that are measured to the grid's.
     Texels texels;
     AtlasHeader header;
 
     AtlasLayout layout() const { return header.layout; }
     const SampleSet& samples() const { return planned.samples; }
 };
-
-std::uint64_t extrapolatedPairs(const AngularGrid& grid, Radians maxMeasuredTheta) {
-    const Radians limit = maxMeasuredTheta + radiansFromDegrees(0.01);
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < grid.pairCount(); ++i) {
-        const LightAndView pair = grid.pair(i);
-        count += pair.light.theta > limit || pair.view.theta > limit ? 1U : 0U;
-    }
-    return count;
-}
 
 AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
     const BtfDescription& description = job.input.description();
@@ -61,13 +52,12 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
     header.cosine = options.divideCosine && description.cosine == Cosine::kKept
                         ? Cosine::kDivided
                         : description.cosine;
-    header.maxMeasuredTheta = description.grid.maxTheta();
+    header.maxMeasuredTheta = description.maxMeasuredTheta;
     header.colorSpace = job.input.colors.spaceName(options.outputSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
     header.counts.missing = job.samples().filled;
-    header.counts.extrapolated =
-        extrapolatedPairs(job.grid, header.maxMeasuredTheta) * header.layout.texelCount();
+    header.counts.extrapolated = job.grazing.extrapolatedPairs() * header.layout.texelCount();
     return header;
 }
 
@@ -83,7 +73,10 @@ Job prepare(const ConvertOptions& options, const ProgressSink& progress) {
     job.input = openInput(options.input);
     if (options.grid == "input") job.grid = job.input.description().grid;
     job.texels = resolvedTexels(options.texels, job.input.description());
-    job.planned = planMethod(options.method, job.input, job.grid, progress);
+    const BtfDescription& description = job.input.description();
+    job.grazing =
+        GrazingMap(job.grid, description.maxMeasuredTheta, options.grazing, description.cosine);
+    job.planned = planMethod(options.method, job.input, job.grazing.inner(), progress);
     job.header = headerOf(job, options);
     const std::int64_t width = std::int64_t{job.texels.width} * job.layout().views;
     const std::int64_t height = std::int64_t{job.texels.height} * job.layout().lights;
@@ -131,7 +124,9 @@ Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor&
         const SlicedTexels sliced =
             sliceTexels(stack, job.samples(), static_cast<std::size_t>(row) * width,
                         static_cast<std::size_t>(count) * width);
-        ReconstructedTexels texels = reconstructTexels(sliced.samples, job.grid, reconstructor);
+        ReconstructedTexels texels =
+            reconstructTexels(sliced.samples, job.grazing.inner(), reconstructor);
+        if (!job.grazing.isIdentity()) texels.abrdfs = job.grazing.apply(texels.abrdfs);
         written.reconstructSeconds += secondsSince(start);
         finishTexels(texels.abrdfs, job.grid, pack);
         written.counts.clamped += texels.clamped;
@@ -165,6 +160,7 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
                        {"width", description.width},
                        {"height", description.height},
                        {"images", description.imageCount()},
+                       {"below_horizon", description.belowHorizon},
                        {"cosine", nameOf(description.cosine)},
                        {"color_space", job.input.inputSpace}};
     report["plan"] = {{"name", job.header.plan},
@@ -173,6 +169,7 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
     report["method"] = options.method.name;
     report["texels"] = {job.texels.width, job.texels.height};
     report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
+    report["grazing"] = nameOf(options.grazing);
     return report;
 }
 

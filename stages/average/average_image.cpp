@@ -36,16 +36,16 @@ bool isLight(const Rgb& c) {
     return isFinite(c) && !isNegative(c);
 }
 
-/// isLight() of all. Channel by channel and without a branch: compilers make vectors of that, and
+/// isFinite() of all. Channel by channel and without a branch: compilers make vectors of that, and
 /// every pixel of every image is asked.
-bool areLights(std::span<const Rgb> row) {
+bool areFinite(std::span<const Rgb> row) {
     static_assert(sizeof(Rgb) == 3 * sizeof(float));
     const float* channels = &row.front().r;
     constexpr float kMax = std::numeric_limits<float>::max();
     int others = 0;
     for (std::size_t i = 0; i < 3 * row.size(); ++i) {
-        const auto notNegative = static_cast<int>(channels[i] >= 0);
-        others += 1 - (notNegative & static_cast<int>(channels[i] <= kMax));
+        const auto aboveLeast = static_cast<int>(channels[i] >= -kMax);
+        others += 1 - (aboveLeast & static_cast<int>(channels[i] <= kMax));
     }
     return others == 0;
 }
@@ -81,7 +81,7 @@ class LinearRow {
     std::size_t size() const { return colors_.size(); }
     Sum at(std::size_t x) const {
         const Rgb& c = colors_[x];
-        return allValid_ || isLight(c) ? Sum{c.r, c.g, c.b, 1} : Sum{};
+        return allValid_ || isFinite(c) ? Sum{c.r, c.g, c.b, 1} : Sum{};
     }
     Sum over(std::size_t begin, std::size_t end) const {
         Sum sum;
@@ -155,7 +155,7 @@ Linearizer::Linearizer(ColorTransform toSceneLinear) : transform_(std::move(toSc
         colors.push_back({grey, grey, grey});
     }
     transform_.apply(colors);
-    if (!areLights(colors)) return;
+    if (!std::ranges::all_of(colors, isLight)) return;
     table_ = std::make_shared<CodeTable>();
     for (std::size_t code = 0; code < colors.size(); ++code) {
         (*table_)[0][code] = static_cast<double>(colors[code].r);
@@ -204,10 +204,11 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
         bool allValid = true;
         if (table == nullptr) {
             linearizer.linearize(image, first, colors);
-            allValid = areLights(colors);
+            // Bad pixels are NaN now; a negative channel is a colour outside the working space.
+            allValid = areFinite(colors);
             if (!allValid) {
                 leftOut +=
-                    columns - static_cast<std::size_t>(std::ranges::count_if(colors, isLight));
+                    columns - static_cast<std::size_t>(std::ranges::count_if(colors, isFinite));
             }
         }
         for (int texel = texelOfPixel(y, image.height, height); texel < height; ++texel) {
@@ -226,10 +227,10 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const Sum& s = sums[i];
-        texels[i] = s.weight > 0 ? Rgb{static_cast<float>(s.r / s.weight),
-                                       static_cast<float>(s.g / s.weight),
-                                       static_cast<float>(s.b / s.weight)}
-                                 : Rgb{kNaN, kNaN, kNaN};
+        const auto mean = [&](double sum) {
+            return static_cast<float>(std::max(0.0, sum / s.weight));
+        };
+        texels[i] = s.weight > 0 ? Rgb{mean(s.r), mean(s.g), mean(s.b)} : Rgb{kNaN, kNaN, kNaN};
     }
     return leftOut;
 }

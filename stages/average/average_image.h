@@ -34,9 +34,11 @@ class Linearizer {
 };
 
 /// Averages an image, in linear light, over width x height texels that share its area evenly;
-/// a pixel cut by a border counts by its parts. NaN, infinite and negative pixels are left out; a
-/// texel without any valid pixel becomes NaN. texels: width * height values, row by row.
-/// Returns the number of pixels left out. Throws std::invalid_argument for more texels than pixels.
+/// a pixel cut by a border counts by its parts. Pixels that are stored NaN, infinite or negative
+/// are left out; a texel without any valid pixel becomes NaN. A colour outside the working space
+/// counts with its negative channel, and a texel's mean is cut at 0. texels: width * height values,
+/// row by row. Returns the number of pixels left out. Throws std::invalid_argument for more texels
+/// than pixels.
 std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer, int width,
                          int height, std::span<Rgb> texels);
 

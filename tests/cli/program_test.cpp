@@ -212,4 +212,38 @@ TEST_CASE("an interrupt leaves no file behind and ends by its signal") {
     CHECK(contains(run.err, "interrupted"));
 }
 
+TEST_CASE("an atlas is exported and read again, and the encoding and the grazing can be chosen") {
+    const TemporaryFolder folder;
+    const std::string make =
+        "convert " + demoZip().string() + " -o a.exr --method measured --grid utia288 -q";
+    REQUIRE(runProgram(folder.path(), make).status == 0);
+    const ProgramRun run = runProgram(
+        folder.path(), "export a.exr --to utia-bin -o a.bin --utia-encoding srgb140 --json");
+    CHECK(run.status == 0);
+    CHECK(nlohmann::json::parse(run.out)["encoding"] == "srgb140");
+    CHECK(fs::exists(folder.path() / "a.bin.json"));
+    const ProgramRun told = runProgram(folder.path(), "inspect a.bin --utia-encoding srgb140");
+    CHECK(told.status == 0);
+    CHECK(contains(told.out, "encoding srgb140, as asked for"));
+    CHECK(runProgram(folder.path(), "export a.exr --to utia-bin -o b.bin --grazing fade").status ==
+          0);
+    const ProgramRun wrong = runProgram(folder.path(), "export a.exr --to png -o a.png");
+    CHECK(wrong.status == 2);
+    CHECK(contains(wrong.err, "utia-bin utia-exr merl"));
+    CHECK(runProgram(folder.path(), "export a.exr --to merl -o a.exr").status == 1);
+}
+
+TEST_CASE("a header that declares gigabytes in a kilobyte is one sentence and status 1") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "lie.mbsdf", std::ios::binary)
+        << "NVIDIA ARC MBSDF V1\nMBSDF_DATA_REFLECTION=\n"
+        << std::string("\1\0\0\0\0\2\0\0\0\2\0\0", 12) << std::string(1000, 'x');
+    for (const char* command : {"inspect lie.mbsdf", "convert lie.mbsdf -o a.exr"}) {
+        const ProgramRun run = runProgram(folder.path(), command);
+        CHECK(run.status == 1);
+        CHECK(contains(run.err, "lie.mbsdf: is damaged or cut"));
+        CHECK(std::ranges::count(run.err, '\n') == 1);
+    }
+}
+
 TEST_SUITE_END();
