@@ -130,8 +130,9 @@ int runProgram(std::vector<std::string> words) {
         return 0;
     }
     if (!run) {
-        std::cerr << "abrdf: which command? convert, inspect, evaluate, train, export or demo; abrdf "
-                     "--help says more\n";
+        std::cerr
+            << "abrdf: which command? convert, inspect, evaluate, train, export or demo; abrdf "
+               "--help says more\n";
         return kWrongUsage;
     }
     return runChosen(run, shared);

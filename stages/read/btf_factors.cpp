@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 namespace abrdf {
 
@@ -33,14 +33,12 @@ std::uint32_t componentCount(ByteCursor& file) {
 
 void addProduct(const FactorMatrix& matrix, std::size_t first, std::size_t count,
                 std::span<const float> vector, std::span<float> out, std::size_t stride) {
-    using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
-    const Eigen::Map<const RowMajor> rows(matrix.values.data() + first * matrix.columns,
-                                          index(count), index(matrix.columns));
-    const Eigen::Map<const Eigen::VectorXf> factor(vector.data(), index(vector.size()));
-    Eigen::Map<Eigen::VectorXf, 0, Eigen::InnerStride<>> sum(out.data(), index(count),
-                                                             Eigen::InnerStride<>(index(stride)));
-    sum.noalias() += rows * factor;
+    const auto size = static_cast<Eigen::Index>(matrix.columns);
+    const Eigen::Map<const Eigen::VectorXf> factor(vector.data(), size);
+    for (std::size_t r = 0; r < count; ++r) {
+        const Eigen::Map<const Eigen::VectorXf> row(matrix.row(first + r).data(), size);
+        out[stride * r] += row.dot(factor);
+    }
 }
 
 BtfFactors readBtfFactors(ByteCursor& file, const BtfExtent& extent, std::size_t channels) {
@@ -62,8 +60,9 @@ BtfFactors readBtfFactors(ByteCursor& file, const BtfExtent& extent, std::size_t
     file.floats(count, scalarBytes, "singular values");  // In X already: not to be applied again.
     FactorMatrix u = readMatrix(file, rowsU, count, scalarBytes, "factors");
     FactorMatrix x = readMatrix(file, rowsX, count, scalarBytes, "factors");
-    factors.pairs = std::move(factors.imagesAsColumns ? x : u);
-    factors.texels = std::move(factors.imagesAsColumns ? u : x);
+    if (factors.imagesAsColumns) std::swap(u, x);
+    factors.pairs = std::move(u);
+    factors.texels = std::move(x);
     return factors;
 }
 

@@ -14,8 +14,6 @@
 
 namespace abrdf {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 constexpr std::string_view kHeader = "file,theta_i,phi_i,theta_v,phi_v";

@@ -67,7 +67,7 @@ std::unique_ptr<BtfReader> makeUtiaBinReader(const DatabasePath& path) {
     for (std::size_t pair = 0; pair < kPairs; ++pair) {
         for (std::size_t c = 0; c < 3; ++c) stored[pair][c] = numbers[c * kPairs + pair];
     }
-    return makeUtiaBrdfReader(path, "UTIA BRDF .bin", std::move(stored));
+    return makeUtiaBrdfReader(path, "UTIA BRDF .bin", stored);
 }
 
 }  // namespace abrdf

@@ -51,7 +51,7 @@ UtiaEncoding chosenEncoding(const Stored& stored, const ReadOptions& options, st
 }  // namespace
 
 std::unique_ptr<BtfReader> makeUtiaBrdfReader(const DatabasePath& path, const char* format,
-                                              Stored stored) {
+                                              const Stored& stored) {
     BtfDescription description = tableDescription(path, format);
     description.grid = AngularGrid(regularDirections(6, 48));
     description.maxMeasuredTheta = description.grid.maxTheta();

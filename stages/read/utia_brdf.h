@@ -3,7 +3,7 @@
 
 #include "stages/read/table_reader.h"
 
-#include <span>
+#include <array>
 #include <vector>
 
 namespace abrdf {
@@ -13,6 +13,6 @@ namespace abrdf {
 /// that of the options, else told from the values; whether cos(theta_i) is in them is told from
 /// their reciprocity, and kept is assumed where that does not tell.
 std::unique_ptr<BtfReader> makeUtiaBrdfReader(const DatabasePath& path, const char* format,
-                                              std::vector<std::array<double, 3>> stored);
+                                              const std::vector<std::array<double, 3>>& stored);
 
 }  // namespace abrdf

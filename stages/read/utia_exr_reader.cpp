@@ -51,7 +51,7 @@ std::unique_ptr<BtfReader> makeUtiaExrReader(const DatabasePath& path) {
             stored[i][c] = static_cast<double>((*floats)[3 * i + c]);
         }
     }
-    return makeUtiaBrdfReader(path, "UTIA BRDF EXR", std::move(stored));
+    return makeUtiaBrdfReader(path, "UTIA BRDF EXR", stored);
 }
 
 }  // namespace abrdf
