@@ -33,12 +33,15 @@ AngularInterpolation::AngularInterpolation(std::vector<Direction> directions)
     for (const std::size_t i : order) {
         const Radians theta = directions_[i].theta;
         if (rings_.empty() || theta - rings_.back().theta > kSameAngle)
-            rings_.push_back({theta, {}});
+            rings_.push_back({theta, {}, {}});
         rings_.back().indices.push_back(i);
     }
     for (Ring& ring : rings_) {
         std::ranges::stable_sort(ring.indices, {},
                                  [&](std::size_t i) { return wrappedAzimuth(directions_[i].phi); });
+        for (const std::size_t i : ring.indices) {
+            ring.phis.push_back(wrappedAzimuth(directions_[i].phi));
+        }
     }
     // Fewer than three directions a ring on average: a scattered list.
     if (rings_.size() > 1 && rings_.size() * 3 > directions_.size()) rings_.clear();
@@ -69,13 +72,9 @@ void AngularInterpolation::addRing(const Ring& ring, Radians phi, double weight,
     assert(n > 0);
     const Radians wanted = wrappedAzimuth(phi);
     // The last one at or before `wanted`, around the circle.
-    std::size_t k = n - 1;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (wrappedAzimuth(directions_[ring.indices[i]].phi) <= wanted + kSameAngle)
-            k = i;
-        else
-            break;
-    }
+    const auto past = static_cast<std::size_t>(
+        std::ranges::upper_bound(ring.phis, wanted + kSameAngle) - ring.phis.begin());
+    const std::size_t k = (past + n - 1) % n;
     const std::size_t before = ring.indices[k];
     const std::size_t after = ring.indices[(k + 1) % n];
     const Radians toWanted =

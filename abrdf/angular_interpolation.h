@@ -36,6 +36,7 @@ class AngularInterpolation {
     struct Ring {
         Radians theta = 0;
         std::vector<std::size_t> indices;  ///< Sorted by azimuth.
+        std::vector<Radians> phis;         ///< Their azimuths, 0 .. 2 pi.
     };
 
     void addRing(const Ring& ring, Radians phi, double weight, DirectionWeights& result) const;

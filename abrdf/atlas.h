@@ -17,6 +17,9 @@ class Atlas {
 
     const AtlasHeader& header() const { return header_; }
 
+    /// Row by row, as the layout says.
+    const std::vector<Rgb>& pixels() const { return pixels_; }
+
     /// The stored value.
     Rgb at(const AtlasSample& sample) const;
 

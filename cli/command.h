@@ -30,6 +30,7 @@ void addConvert(CLI::App& app, RunCommand& run);
 void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
+void addPreview(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
 
 /// The input, its colours and missing images: for every command on a database.
