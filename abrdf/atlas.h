@@ -33,6 +33,10 @@ class Atlas {
     AngularInterpolation views_;
 };
 
+/// The average of all texels: an atlas of one. Values that are not finite are left out; a pair that
+/// has no other is NaN.
+Atlas meanOverTexels(const Atlas& atlas);
+
 /// B(light, view) of a texel: exact at the atlas's directions, interpolated between them, held
 /// past the last elevation. Throws std::out_of_range for a texel that is not in the atlas.
 Rgb lookUp(const Atlas& atlas, Direction light, Direction view, int texelX, int texelY);

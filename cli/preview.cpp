@@ -171,6 +171,14 @@ void addPreview(CLI::App& app, RunCommand& runCommand) {
         ->required();
     command->add_option("--kind", options->kind, "sphere | plane | drape | sheet | polar")
         ->capture_default_str();
+    command->add_option("--reference", options->job.reference,
+                        "the measured atlas that a sheet or a polar plot compares with");
+    command
+        ->add_option("--pair", options->job.pairs,
+                     "THETA_I,PHI_I,THETA_V,PHI_V in degrees: a sheet of single pairs; may be "
+                     "repeated")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
     addSceneOptions(*command, *options);
     addPictureOptions(*command, *options);
     command->callback([options, &runCommand] {

@@ -3,6 +3,7 @@
 
 #include "abrdf/output_file.h"
 #include "pipeline/picture_output.h"
+#include "pipeline/preview_figures.h"
 #include "pipeline/preview_scene.h"
 #include "pipeline/shown_atlas.h"
 
@@ -136,7 +137,13 @@ ordered_json preview(const PreviewOptions& options, const ProgressSink& progress
     report["color"] = {{"config", colors.origin()},
                        {"working_space", colors.spaceName("scene_linear")},
                        {"conversions", ordered_json::array()}};
-    renderAndWrite(options, colors, report, progress);
+    if (options.kind == PreviewKind::kSheet || options.kind == PreviewKind::kPolar) {
+        const auto start = Clock::now();
+        drawFigure(options, colors, report);
+        report["time"]["total"] = secondsSince(start);
+    } else {
+        renderAndWrite(options, colors, report, progress);
+    }
     return report;
 }
 
