@@ -41,7 +41,7 @@ struct PreviewOptions {
     std::string environment;       ///< studio, sky, a file, or none; empty: studio without lights.
     std::string environmentSpace;  ///< Of a file that does not say; empty: scene_linear.
     double turnEnvironment = 0;    ///< Degrees about the vertical axis.
-    int samples = 1024;            ///< Lights that stand for an environment, 1 .. 1000000.
+    int samples = 2048;            ///< Lights that stand for an environment, 1 .. 1000000.
     double tiles = 0;              ///< Repeats of a map; 0: about two pixels a texel.
     double exposure = 1;           ///< Factor on the light, > 0.
     DisplayView display;           ///< PNG and JPEG alone.
