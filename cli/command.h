@@ -3,6 +3,8 @@
 
 #include "abrdf/progress.h"
 #include "pipeline/reconstruction.h"
+#include "pipeline/job.h"
+#include "pipeline/page_job.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -31,6 +33,7 @@ void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
 void addPreview(CLI::App& app, RunCommand& run);
+void addReport(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
 
 /// The input, its colours and missing images: for every command on a database.
@@ -38,6 +41,10 @@ void addInputOptions(CLI::App& command, InputOptions& options);
 
 /// The method's plan, model and numbers: for every command that reconstructs.
 void addMethodOptions(CLI::App& command, MethodChoice& choice);
+
+/// Options of a page that `preview --html` and `report` share; and what both end with.
+void addPageOptions(CLI::App& command, PageOptions& options);
+int deliverPage(nlohmann::ordered_json report, const SharedOptions& shared);
 
 /// Prints `report` on stdout as JSON where --json was given, else `text`, and writes --report.
 void deliver(const nlohmann::ordered_json& report, const std::string& text,

@@ -15,6 +15,9 @@ namespace {
 
 struct Options {
     PreviewOptions job;
+    std::vector<std::filesystem::path> atlases;
+    std::filesystem::path html;
+    PageOptions page;
     std::string kind = "sphere";
     std::string size = "512x512";
     std::vector<double> camera;
@@ -85,8 +88,29 @@ PreviewOptions jobOf(const Options& options) {
     return job;
 }
 
+int runPage(const Options& options, const SharedOptions& shared, const ProgressSink& progress) {
+    PageOptions page = options.page;
+    page.atlases = options.atlases;
+    page.output = options.html;
+    page.colorConfig = options.job.colorConfig;
+    page.display = options.job.display;
+    page.exposure = options.job.exposure;
+    nlohmann::ordered_json report;
+    report["command"] = "preview";
+    report.update(writePage(page, progress));
+    return deliverPage(report, shared);
+}
+
 int run(const Options& options, const SharedOptions& shared, const ProgressSink& progress) {
-    const PreviewOptions job = jobOf(options);
+    if (options.html.empty() == options.job.output.empty()) {
+        throw std::invalid_argument("write either a picture (-o FILE) or a page (--html FILE)");
+    }
+    if (!options.html.empty()) return runPage(options, shared, progress);
+    if (options.atlases.size() != 1) {
+        throw std::invalid_argument("a picture shows one atlas; --html FILE makes a page of many");
+    }
+    PreviewOptions job = jobOf(options);
+    job.atlas = options.atlases.front();
     if (options.noClobber && std::filesystem::exists(job.output)) {
         spdlog::info("{}: exists and is kept (--no-clobber)", job.output.string());
         return 0;
@@ -165,10 +189,10 @@ void addPreview(CLI::App& app, RunCommand& runCommand) {
     CLI::App* command = app.add_subcommand("preview", "an atlas as a picture to judge it by");
     command->footer("Example: abrdf preview corduroy.exr --kind drape -o corduroy.png");
     auto options = std::make_shared<Options>();
-    command->add_option("ATLAS", options->job.atlas, "an atlas that abrdf convert made")
-        ->required();
-    command->add_option("-o,--output", options->job.output, "the picture: .exr, .png or .jpg")
-        ->required();
+    command->add_option("ATLAS", options->atlases, "atlases that abrdf convert made")->required();
+    command->add_option("-o,--output", options->job.output, "the picture: .exr, .png or .jpg");
+    command->add_option("--html", options->html, "an interactive page of all atlases instead");
+    addPageOptions(*command, options->page);
     command->add_option("--kind", options->kind, "sphere | plane | drape | sheet | polar")
         ->capture_default_str();
     command->add_option("--reference", options->job.reference,

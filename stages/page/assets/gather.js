@@ -1,0 +1,58 @@
+// The environment as the material's own light directions see it, at nodes of longitude and latitude
+// of the sphere: what GatheredLight does in the program.
+const NODES_WIDE = 91, NODES_HIGH = 46;
+
+/** The light directions among which a direction (x, y, z) lies: calls add(index, weight). */
+function eachWeight(rings, x, y, z, add) {
+    const sine = Math.hypot(x, y);
+    const theta = Math.atan2(sine, z);
+    const phi = sine > 0 ? Math.atan2(y, x) : 0;
+    let above = 0;
+    while (above < rings.length && rings[above][0] < theta) ++above;
+    const lower = rings[Math.max(0, above - 1)];
+    const upper = rings[Math.min(above, rings.length - 1)];
+    const gap = upper[0] - lower[0];
+    const t = gap > 0 ? (theta - lower[0]) / gap : 0;
+    for (const [ring, share] of [[lower, 1 - t], [upper, t]]) {
+        if (share <= 0) continue;
+        const [, phi0, count, first] = ring;
+        const turns = (phi - phi0) / (2 * Math.PI);
+        const place = (turns - Math.floor(turns)) * count;
+        const before = Math.min(Math.floor(place), count - 1);
+        add(first + before, share * (1 - (place - before)));
+        add(first + (before + 1) % count, share * (place - before));
+    }
+}
+
+/** Float32Array [light][latitude][longitude][RGBA]; the last meridian repeats the first. */
+function gather(table, lights) {
+    const plane = NODES_WIDE * NODES_HIGH * 4;
+    const out = new Float32Array(table.lights * plane);
+    const last = Math.cos(table.lightRings[table.lightRings.length - 1][0]);
+    for (let row = 0; row < NODES_HIGH; ++row) {
+        const latitude = Math.PI * (0.5 - row / (NODES_HIGH - 1));
+        for (let column = 0; column < NODES_WIDE; ++column) {
+            const longitude = 2 * Math.PI * (column / (NODES_WIDE - 1) - 0.5);
+            const cl = Math.cos(longitude), sl = Math.sin(longitude);
+            const ca = Math.cos(latitude), sa = Math.sin(latitude);
+            // x: along the parallel; y: to the north; n: outwards.
+            const n = [ca * sl, sa, ca * cl], yAxis = [-sa * sl, ca, -sa * cl];
+            const at = (row * NODES_WIDE + column) * 4;
+            for (let i = 0; i < lights.length; i += 6) {
+                const dx = lights[i], dy = lights[i + 1], dz = lights[i + 2];
+                const z = dx * n[0] + dy * n[1] + dz * n[2];
+                if (z <= 0) continue;
+                const x = dx * cl - dz * sl;
+                const y = dx * yAxis[0] + dy * yAxis[1] + dz * yAxis[2];
+                const factor = !table.cosineInside ? z : z < last ? z / last : 1;
+                eachWeight(table.lightRings, x, y, z, (index, weight) => {
+                    const k = index * plane + at;
+                    out[k] += weight * factor * lights[i + 3];
+                    out[k + 1] += weight * factor * lights[i + 4];
+                    out[k + 2] += weight * factor * lights[i + 5];
+                });
+            }
+        }
+    }
+    return out;
+}
