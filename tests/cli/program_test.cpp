@@ -46,7 +46,8 @@ TEST_SUITE_BEGIN("cli");
 
 TEST_CASE("help is an answer, not a fault, for the program and for each command") {
     const TemporaryFolder folder;
-    for (const char* command : {"", "convert", "inspect", "evaluate", "preview", "demo"}) {
+    for (const char* command :
+         {"", "convert", "inspect", "evaluate", "preview", "report", "demo"}) {
         const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
         CHECK(run.status == 0);
         CHECK(contains(run.out, "Usage"));
@@ -153,6 +154,12 @@ TEST_CASE("preview makes pictures of every kind, and says wrong usage as such") 
         CHECK(report["color"]["config"] == "shipped");
         CHECK(fs::file_size(folder.path() / report["output"]["path"].get<std::string>()) > 100);
     }
+    CHECK(runProgram(folder.path(), "preview a.exr m.exr --html page.html").status == 0);
+    const auto report =
+        nlohmann::json::parse(runProgram(folder.path(), "report . -o page.html --json").out);
+    CHECK(report["materials"] == 1);
+    CHECK(runProgram(folder.path(), "preview a.exr m.exr -o a.png").status == 2);
+    CHECK(runProgram(folder.path(), "preview a.exr").status == 2);
     CHECK(runProgram(folder.path(), "preview a.exr -o a.png --kind cube").status == 2);
     CHECK(runProgram(folder.path(), "preview a.exr -o a.png --size 0x4").status == 2);
     CHECK(runProgram(folder.path(), "preview a.exr -o a.png --light 1").status == 2);

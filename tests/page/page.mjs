@@ -222,7 +222,7 @@ async function run(name, test) {
 try {
     makeBatch();
     const launch = (flags) => playwright.chromium.launchPersistentContext(mkdtempSync(join(folder, "profile-")),
-        {executablePath: chromium, headless: true, args: [...FLAGS, ...flags], viewport: {width: 1100, height: 900}});
+        {executablePath: chromium, headless: true, args: [...FLAGS, ...flags], viewport: {width: 860, height: 900}});
     context = await launch([]);
     const messages = [];
     const page = await opened(context, "page.html", messages);

@@ -19,7 +19,12 @@ function drawChart() {
         const own = points.filter((p) => p.method === method && p.input === input);
         return {method, input, values: times.map((t) => own.find((p) => p.microseconds === t)?.deltaE ?? null)};
     });
-    const room = (scale) => (u, low, high) => [low / scale, high * scale];
+    // Outwards to 1, 2 or 5 times a power of ten.
+    const nice = (x, up) => {
+        const steps = [1, 2, 5, 10].map((s) => s * 10 ** Math.floor(Math.log10(x)));
+        return up ? steps.find((s) => s >= x * 1.1) ?? steps[3] * 2 : [...steps].reverse().find((s) => s <= x / 1.1) ?? steps[0] / 2;
+    };
+    const range = (u, low, high) => [nice(low, false), nice(high, true)];
     const colorOf = (method) => PALETTE[methods.indexOf(method) % PALETTE.length];
     const text = isLight() ? "#1c1c1c" : "#eee", line = isLight() ? "#c4c4c4" : "#4d4d4d";
     const axis = {stroke: text, grid: {stroke: line, width: 1}, ticks: {stroke: line}, font: "13px system-ui, sans-serif"};
@@ -27,7 +32,7 @@ function drawChart() {
     holder.replaceChildren();
     chart = new uPlot({
         width: Math.max(280, holder.clientWidth), height: 380,
-        scales: {x: {time: false, distr: 3, range: room(1.6)}, y: {distr: 3, range: room(1.4)}},
+        scales: {x: {time: false, distr: 3, range}, y: {distr: 3, range}},
         axes: [{...axis, label: "microseconds an ABRDF", labelFont: axis.font},
             {...axis, label: "mean \u0394E", labelFont: axis.font, size: 60}],
         legend: {show: false},

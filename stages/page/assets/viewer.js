@@ -303,7 +303,7 @@ function startViewer() {
             const bottomUp = new Uint8Array(4 * size * size);
             viewer.gl.readPixels(0, 0, size, size, viewer.gl.RGBA, viewer.gl.UNSIGNED_BYTE, bottomUp);
             canvas.width = canvas.height = before;
-            viewer.draw(state);
+            ask();
             const rows = [];
             for (let y = size - 1; y >= 0; --y) rows.push(...bottomUp.subarray(4 * size * y, 4 * size * (y + 1)));
             return rows;
