@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "color/color_config.h"
 
+#include "color/known_space.h"
 #include "color/near_names.h"
 #include "color/ocio_handles.h"
 
@@ -156,19 +157,43 @@ bool ColorConfig::isData(const std::string& name) const {
     return loaded_->config->getColorSpace(spaceName(name).c_str())->isData();
 }
 
+bool ColorConfig::has(const std::string& nameOrRole) const {
+    return loaded_->config->getColorSpace(nameOrRole.c_str()) != nullptr;
+}
+
+bool ColorConfig::reaches(const std::string& name) const {
+    return has(name) ||
+           (loaded_->config->hasRole(OCIO::ROLE_INTERCHANGE_SCENE) && knownSpace({name}));
+}
+
 ColorTransform ColorConfig::transform(const std::string& from, const std::string& to) const {
-    const std::string source = spaceName(from);
-    const std::string target = spaceName(to);
+    // Each end with its own config: this one, or the shipped one beyond aces_interchange.
+    struct End {
+        OCIO::ConstConfigRcPtr config;
+        std::string name;
+    };
+    const auto endOf = [&](const std::string& name) -> End {
+        if (has(name) || !reaches(name)) {
+            return {loaded_->config, spaceName(name)};
+        }
+        return {shippedConfig(), std::string(ocioName(*knownSpace({name})))};
+    };
+    const End source = endOf(from);
+    const End target = endOf(to);
     ColorTransform result;
     try {
-        const auto processor = loaded_->config->getProcessor(source.c_str(), target.c_str());
+        const auto processor =
+            source.config == target.config
+                ? source.config->getProcessor(source.name.c_str(), target.name.c_str())
+                : OCIO::Config::GetProcessorFromConfigs(source.config, source.name.c_str(),
+                                                        target.config, target.name.c_str());
         result.processor_ = std::make_shared<const ColorTransform::Processor>(
             ColorTransform::Processor{exactCpu(processor)});
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format(
             "The colour config '{}' cannot convert '{}' to '{}': {}. Choose other spaces, or "
             "another config with --colorconfig.",
-            origin_, source, target, reason(error)));
+            origin_, source.name, target.name, reason(error)));
     }
     return result;
 }

@@ -56,10 +56,18 @@ class ColorConfig {
     /// Throws std::runtime_error that lists the config's spaces where there is none.
     std::string spaceName(const std::string& nameOrRole) const;
 
+    /// True where spaceName() has an answer.
+    bool has(const std::string& nameOrRole) const;
+
     /// Names of all colour spaces, in the config's order.
     std::vector<std::string> spaceNames() const;
 
-    /// The transform between two named spaces, aliases or roles. Throws as spaceName().
+    /// True where transform() knows `name`: a space, alias or role of the config, or, in a config
+    /// with the role aces_interchange, one of the known spaces (color/known_space.h), which come
+    /// over that bridge from the shipped config.
+    bool reaches(const std::string& name) const;
+
+    /// The transform between two spaces that are reached. Throws as spaceName().
     ColorTransform transform(const std::string& from, const std::string& to) const;
 
     /// Names under which the config knows `name`: the name itself and its aliases.

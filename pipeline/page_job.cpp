@@ -61,7 +61,8 @@ std::vector<PageEnvironment> environments() {
 }
 
 /// The display's codes on a cube of linear Rec.709.
-PageView pageView(const ColorTransform& toDisplay, const std::string& name) {
+PageView pageView(const ColorTransform& toScene, const ColorTransform& toDisplay,
+                  const std::string& name) {
     PageView view{name, kCubeSide, {}};
     std::vector<Rgb> colors;
     const auto value = [](int i) {
@@ -72,6 +73,7 @@ PageView pageView(const ColorTransform& toDisplay, const std::string& name) {
             for (int r = 0; r < kCubeSide; ++r) colors.push_back({value(r), value(g), value(b)});
         }
     }
+    toScene.apply(colors);
     toDisplay.apply(colors);
     for (const Rgb& c : colors) {
         for (const float channel : {c.r, c.g, c.b}) {
@@ -89,9 +91,10 @@ class PageMaker {
         : options_(options),
           colors_(colors),
           rec709_(spaceOfFile(colors, "page", "", "lin_rec709_scene")),
-          shown_(colors.resolved(options.display, rec709_)),
-          toDisplay_(colors.displayTransform(rec709_, shown_)),
-          encoding_(knownDisplay(colors.encodedSpace(shown_, rec709_))),
+          toScene_(colors.transform(rec709_, "scene_linear")),
+          shown_(colors.resolved(options.display, "scene_linear")),
+          toDisplay_(colors.displayTransform("scene_linear", shown_)),
+          encoding_(knownDisplay(colors.encodedSpace(shown_, "scene_linear"))),
           studio_(studioLights(2048)) {
         if (!encoding_ || encoding_->name != "sRGB") {
             throw std::invalid_argument(fmt::format(
@@ -113,7 +116,7 @@ class PageMaker {
         PageContent content;
         content.title = options_.title.empty() ? options_.output.stem().string() : options_.title;
         content.environments = environments();
-        content.view = pageView(toDisplay_, shown_.view);
+        content.view = pageView(toScene_, toDisplay_, shown_.view);
         content.exposure = options_.exposure;
         content.colorNote = noteOfColors();
         addMaterials(atlases, content, progress);
@@ -188,7 +191,8 @@ class PageMaker {
         Scene scene;
         scene.surface = sphere.get();
         scene.sky = studio_;
-        const Picture picture = render(material, scene, kPicture, kPicture, {});
+        Picture picture = render(material, scene, kPicture, kPicture, {});
+        toScene_.apply(picture.color);
         EncodeOptions encode;
         encode.exposure = options_.exposure;
         encode.background = Rgb{0.05F, 0.05F, 0.05F};
@@ -209,6 +213,7 @@ class PageMaker {
     const PageOptions& options_;
     const ColorConfig& colors_;
     std::string rec709_;
+    ColorTransform toScene_;
     DisplayView shown_;
     ColorTransform toDisplay_;
     std::optional<DisplayEncoding> encoding_;

@@ -56,6 +56,7 @@ void check(const PreviewOptions& options) {
 
 /// Two pixels a texel in the middle of the picture.
 double tilesOf(const PreviewOptions& options, const Atlas& atlas) {
+    if (atlas.header().layout.texelCount() == 1) return 1;
     if (options.tiles > 0) return options.tiles;
     const double across = std::min(options.width, options.height) * 1.4;
     return std::max(1.0, std::round(across / (2 * atlas.header().layout.texelsHigh)));

@@ -74,7 +74,7 @@ PreparedScene prepareScene(const PreviewOptions& options, const ColorConfig& col
         scene.sky = lightsOf(sky, options.samples);
         scene.lights = {skySun(sky)};
         normalize({&scene.sky, &scene.lights});
-        const std::string from = colors.spaceName("Linear Rec.709 (sRGB)");
+        const std::string from = spaceOfFile(colors, "sky", "", "lin_rec709_scene");
         const std::string to = colors.spaceName("scene_linear");
         conversions.push_back(conversion("sky", from, to));
         const ColorTransform toLinear = colors.transform(from, to);

@@ -15,23 +15,24 @@ using nlohmann::ordered_json;
 
 std::string spaceOfFile(const ColorConfig& colors, const std::string& file,
                         const std::string& colorSpace, const std::string& interopId) {
-    std::string complaint;
     std::vector<std::string> names;
     if (!colorSpace.empty()) names.push_back(colorSpace);
     if (const auto known = knownSpaceFromInteropId(interopId)) {
-        names.emplace_back(ocioName(*known));
         names.push_back(interopId);
+        names.emplace_back(ocioName(*known));
+    }
+    if (names.empty()) {
+        throw std::runtime_error(file + ": does not say which colour space it is in");
     }
     for (const std::string& name : names) {
-        try {
-            return colors.spaceName(name);
-        } catch (const std::runtime_error& error) {
-            if (complaint.empty()) complaint = error.what();
-        }
+        if (colors.has(name)) return colors.spaceName(name);
     }
-    throw std::runtime_error(
-        fmt::format("{}: {}", file,
-                    complaint.empty() ? "does not say which colour space it is in" : complaint));
+    if (colors.reaches(names.back())) return names.back();
+    try {
+        return colors.spaceName(names.front());
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
+    }
 }
 
 ordered_json conversion(const std::string& what, const std::string& from, const std::string& to) {
@@ -44,8 +45,8 @@ Atlas atlasInSpace(const std::filesystem::path& path, const ColorConfig& colors,
     AtlasHeader header = atlas.header();
     const std::string name = path.filename().string();
     const std::string from = spaceOfFile(colors, name, header.colorSpace, header.interopId);
-    const std::string to = colors.spaceName(space);
-    if (colors.isData(from)) {
+    const std::string to = colors.has(space) ? colors.spaceName(space) : space;
+    if (colors.has(from) && colors.isData(from)) {
         throw std::runtime_error(fmt::format(
             "{}: is in '{}', a space of data, so that its colours are unknown; convert it again "
             "with an --output-space",
@@ -59,7 +60,8 @@ Atlas atlasInSpace(const std::filesystem::path& path, const ColorConfig& colors,
         transform.apply(std::span(pixels).subspan(begin, end - begin));
     });
     header.colorSpace = to;
-    const auto known = knownSpace(colors.aliases(to));
+    const auto known =
+        knownSpace(colors.has(to) ? colors.aliases(to) : std::vector<std::string>{to});
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
     return {std::move(header), std::move(pixels)};
 }

@@ -11,12 +11,13 @@
 
 namespace abrdf {
 
-/// The config's name of a space that a file states: by its name, else by its interop id. Throws
-/// std::runtime_error as ColorConfig::spaceName(), naming the file, where the config has neither.
+/// The name of a space that a file states, as ColorConfig::transform() takes it: by its name, else
+/// by its interop id, else over the config's aces_interchange. Throws std::runtime_error as
+/// ColorConfig::spaceName(), naming the file, where the config reaches none of them.
 std::string spaceOfFile(const ColorConfig& colors, const std::string& file,
                         const std::string& colorSpace, const std::string& interopId);
 
-/// An atlas whose values are in `space` (a role or a name) of `colors`; what was converted from
+/// An atlas whose values are in `space`, which `colors` reaches; what was converted from
 /// what to what is appended to `conversions`. Throws std::runtime_error for a file that is no
 /// atlas and for an atlas of data.
 Atlas atlasInSpace(const std::filesystem::path& path, const ColorConfig& colors,

@@ -130,6 +130,65 @@ TEST_SUITE("unit") {
                   "lacks the role 'scene_linear'"));
     }
 
+    TEST_CASE("a config without a known space's name is reached over aces_interchange") {
+        const fs::path file = fs::temp_directory_path() / (std::to_string(getpid()) + "_far.ocio");
+        const auto load =
+            [&](const std::string& roles) {
+                std::ofstream(file)
+                    << "ocio_profile_version: 2\nroles: {default: work, scene_linear: "
+                       "work" +
+                           roles +
+                           "}\n"
+                           "file_rules: [!<Rule> {name: Default, colorspace: default}]\n"
+                           "displays: {D: [!<View> {name: V, colorspace: work}]}\n"
+                           "colorspaces:\n  - !<ColorSpace> {name: interchange}\n"
+                           "  - !<ColorSpace>\n    name: work\n"
+                           "    to_scene_reference: !<BuiltinTransform> {style: "
+                           "ACEScg_to_ACES2065-1}\n";
+                const ColorConfig config = ColorConfig::load(file);
+                fs::remove(file);
+                return config;
+            };
+        const ColorConfig config = load(", aces_interchange: interchange");
+        CHECK_FALSE(config.has("lin_rec709_scene"));
+        CHECK(config.reaches("lin_rec709_scene"));
+        CHECK_FALSE(config.reaches("Kodachrome"));
+        Rgb there = {0.2F, 0.5F, 0.9F};
+        Rgb expected = there;
+        config.transform("Linear Rec.709 (sRGB)", "scene_linear").apply({&there, 1});
+        shipped().transform("Linear Rec.709 (sRGB)", "ACEScg").apply({&expected, 1});
+        CHECK(std::abs(there.r - expected.r) + std::abs(there.b - expected.b) < 1e-6);
+        config.transform("scene_linear", "lin_rec709_scene").apply({&there, 1});
+        CHECK(std::abs(there.r - 0.2F) + std::abs(there.b - 0.9F) < 2e-6);
+
+        const ColorConfig lonely = load("");
+        CHECK_FALSE(lonely.reaches("lin_rec709_scene"));
+        CHECK(has(complaint([&] { lonely.transform("lin_rec709_scene", "work"); }),
+                  "no colour space 'lin_rec709_scene'"));
+    }
+
+    TEST_CASE("a studio's config: Blender's, where Debian's blender-data has put it") {
+        const fs::path file = "/usr/share/blender/datafiles/colormanagement/config.ocio";
+        if (!fs::exists(file)) {
+            MESSAGE("no blender-data: left out");
+            return;
+        }
+        const ColorConfig config = ColorConfig::load(file);
+        Rgb color = {0.2F, 0.5F, 0.9F};
+        Rgb expected = color;
+        config.transform("lin_rec709_scene", "scene_linear").apply({&color, 1});
+        CHECK(std::abs(color.r - expected.r) + std::abs(color.b - expected.b) < 1e-5);
+        config.displayTransform("scene_linear", {"sRGB", "Standard", ""}).apply({&color, 1});
+        CHECK(std::abs(static_cast<double>(color.g) - srgbEncoded(0.5)) < 1e-3);
+        CHECK(knownDisplay(config.encodedSpace({"sRGB", "Standard", ""}, "scene_linear"))->name ==
+              "sRGB");
+        CHECK_FALSE(knownDisplay(config.encodedSpace({"sRGB", "Filmic", ""}, "scene_linear")));
+        CHECK(has(complaint([&] {
+                      config.resolved({"", "Standad", ""}, "scene_linear");
+                  }),
+                  "'Standard'"));
+    }
+
     TEST_CASE("every display of the shipped config is one whose encoding files can state") {
         for (const std::string& display : shipped().displayNames()) {
             CAPTURE(display);
