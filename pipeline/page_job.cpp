@@ -195,6 +195,7 @@ class PageMaker {
         toScene_.apply(picture.color);
         EncodeOptions encode;
         encode.exposure = options_.exposure;
+        encode.dither = false;
         encode.background = Rgb{0.05F, 0.05F, 0.05F};
         CodedPicture coded = encodePicture(picture, toDisplay_, encode);
         coded.encoding = encoding_;

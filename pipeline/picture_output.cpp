@@ -118,7 +118,8 @@ void writePicture(const Picture& picture, const PreviewOptions& options, const C
         return;
     }
     const DisplayOutput display = displayOutputOf(options, colors);
-    EncodeOptions encode{options.exposure, options.background, display.bits};
+    const bool dither = pictureFormatOf(options.output) == PictureFormat::kPng;
+    const EncodeOptions encode{options.exposure, options.background, display.bits, dither};
     report["color"]["conversions"].push_back(
         conversion("picture", colors.spaceName(kSceneLinear), display.space));
     writeCoded(encodePicture(picture, display.transform, encode), options, display, report);

@@ -45,13 +45,18 @@ CodedPicture encodePicture(const Picture& picture, const ColorTransform& toDispl
             colors[i - begin] = color;
         }
         toDisplay.apply(colors);
+        const auto code = [&](float value, std::size_t pixel, int channel) {
+            if (options.dither) return ditheredCode(value, options.bits, pixel, channel);
+            const float most = options.bits == 16 ? 65535.0F : 255.0F;
+            return static_cast<std::uint16_t>(std::lround(most * std::clamp(value, 0.0F, 1.0F)));
+        };
         for (std::size_t i = begin; i < end; ++i) {
             const Rgb& c = colors[i - begin];
             std::uint16_t* codes = &coded.codes[i * channels];
-            codes[0] = ditheredCode(c.r, options.bits, i, 0);
-            codes[1] = ditheredCode(c.g, options.bits, i, 1);
-            codes[2] = ditheredCode(c.b, options.bits, i, 2);
-            if (channels == 4) codes[3] = ditheredCode(picture.alpha[i], options.bits, i, 3);
+            codes[0] = code(c.r, i, 0);
+            codes[1] = code(c.g, i, 1);
+            codes[2] = code(c.b, i, 2);
+            if (channels == 4) codes[3] = code(picture.alpha[i], i, 3);
         }
     });
     return coded;

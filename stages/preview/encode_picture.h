@@ -13,6 +13,7 @@ struct EncodeOptions {
     double exposure = 1;            ///< Factor on the light before it is shown, > 0.
     std::optional<Rgb> background;  ///< Scene-linear, shown as it is; nothing: an alpha channel.
     int bits = 8;                   ///< 8 or 16.
+    bool dither = true;  ///< Else codes are rounded, as for JPEG, which would smear the noise.
 };
 
 /// Codes of a display's 0 .. 1: value times 2^bits - 1, plus a threshold below 1 that depends on

@@ -26,8 +26,8 @@ double luminance(Rgb c) {
            0.0722 * static_cast<double>(c.b);
 }
 
-/// The view at `angle` in the plane of incidence: positive on the light's side, as in the hemisphere
-/// of a light at phi 0.
+/// The view at `angle` in the plane of incidence: positive on the light's side, as in the
+/// hemisphere of a light at phi 0.
 Direction viewInPlane(Radians angle, Radians lightPhi) {
     return {std::abs(angle), wrappedAzimuth(angle >= 0 ? lightPhi : lightPhi + kPi)};
 }

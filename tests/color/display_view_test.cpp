@@ -177,7 +177,8 @@ TEST_SUITE("unit") {
         Rgb color = {0.2F, 0.5F, 0.9F};
         Rgb expected = color;
         config.transform("lin_rec709_scene", "scene_linear").apply({&color, 1});
-        CHECK(std::abs(color.r - expected.r) + std::abs(color.b - expected.b) < 1e-5);
+        // Its matrices have four digits.
+        CHECK(std::abs(color.r - expected.r) + std::abs(color.b - expected.b) < 1e-3);
         config.displayTransform("scene_linear", {"sRGB", "Standard", ""}).apply({&color, 1});
         CHECK(std::abs(static_cast<double>(color.g) - srgbEncoded(0.5)) < 1e-3);
         CHECK(knownDisplay(config.encodedSpace({"sRGB", "Standard", ""}, "scene_linear"))->name ==

@@ -177,7 +177,7 @@ TEST_CASE("a colour checker goes from ACEScg through an atlas and a preview to s
     job.input.colorConfig = fs::path(ABRDF_SOURCE_DIR) / "color/config.ocio";
     job.output = folder.path() / "checker.exr";
     job.outputSpace = "ACEScg";
-    job.method = "measured";
+    job.method.name = "measured";
     job.texels = {0, 0};
     job.pixel = PixelChoice::kFloat;
     convert(job, {});

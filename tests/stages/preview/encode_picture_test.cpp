@@ -61,6 +61,17 @@ TEST_CASE("exposure comes before the display, the background after the exposure"
     CHECK(meanOf(coded, 2) == doctest::Approx(255 * 0.1).epsilon(5e-3));
 }
 
+TEST_CASE("without dither every pixel of one colour has one code, the nearest") {
+    EncodeOptions options;
+    options.dither = false;
+    options.background = Rgb{};
+    const CodedPicture coded = encodePicture(filled({0.3F, 0.5F, 0.7F}, 1), {}, options);
+    for (std::size_t i = 0; i < coded.codes.size(); i += 3) {
+        CHECK(coded.codes[i] == 77);
+        CHECK(coded.codes[i + 2] == 179);
+    }
+}
+
 TEST_CASE("without a background colours are those behind the alpha") {
     EncodeOptions options;
     options.bits = 16;
