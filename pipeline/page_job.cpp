@@ -37,12 +37,10 @@ struct Shown {
     Atlas mean;  ///< Linear Rec.709, one texel.
 };
 
-std::vector<PageLight> pageLights(const std::vector<std::vector<Light>>& lists) {
-    std::vector<PageLight> lights;
-    for (const std::vector<Light>& list : lists) {
-        for (const Light& light : list) lights.push_back({light.direction, light.strength});
-    }
-    return lights;
+std::vector<PageLight> pageLights(const std::vector<Light>& lights) {
+    std::vector<PageLight> result;
+    for (const Light& light : lights) result.push_back({light.direction, light.strength});
+    return result;
 }
 
 std::vector<Light> studioLights(int count) {
@@ -56,8 +54,8 @@ std::vector<PageEnvironment> environments() {
     std::vector<Light> skyLights = lightsOf(sky, kEnvironmentLights);
     std::vector<Light> sun{skySun(sky)};
     normalize({&skyLights, &sun});
-    return {{"Studio", pageLights({studioLights(kEnvironmentLights)})},
-            {"Sky and sun", pageLights({skyLights, sun})}};
+    return {{"Studio", pageLights(studioLights(kEnvironmentLights)), {}},
+            {"Sky and sun", pageLights(skyLights), pageLights(sun).front()}};
 }
 
 /// The display's codes on a cube of linear Rec.709.

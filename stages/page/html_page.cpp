@@ -41,6 +41,7 @@ ordered_json jsonOf(const std::optional<PageTable>& table) {
             {"lights", table->lights},
             {"views", table->views},
             {"cosineInside", table->cosineInside},
+            {"lobe", table->lobe},
             {"halves", base64(table->halves)}};
 }
 
@@ -61,7 +62,12 @@ ordered_json jsonOf(const PageEnvironment& environment) {
             numbers.push_back(s);
         }
     }
-    return {{"name", environment.name}, {"lights", base64(numbers)}};
+    ordered_json json = {{"name", environment.name}, {"lights", base64(numbers)}, {"sun", nullptr}};
+    if (environment.sun) {
+        const auto& [d, s] = *environment.sun;
+        json["sun"] = {d.x, d.y, d.z, s.r, s.g, s.b};
+    }
+    return json;
 }
 
 ordered_json jsonOf(const PageContent& content) {

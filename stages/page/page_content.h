@@ -33,6 +33,7 @@ struct PageLight {
 struct PageEnvironment {
     std::string name;  ///< "Studio"
     std::vector<PageLight> lights;
+    std::optional<PageLight> sun;  ///< Evaluated exactly, as a single light is.
 };
 
 /// A view of the colour config as a cube of codes: what the page shows with tone curve 1.

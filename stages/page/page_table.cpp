@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/page/page_table.h"
 
+#include "abrdf/lobe_profile.h"
+
 #include <half.h>
 
 #include <algorithm>
@@ -66,6 +68,8 @@ PageTable pageTableOf(const Atlas& atlas) {
     PageTable table;
     table.cosineInside = atlas.header().cosine == Cosine::kKept;
     table.resampled = !lights || !views;
+    const LobeProfile lobe(atlas);
+    table.lobe.assign(lobe.logarithms().begin(), lobe.logarithms().end());
     const AngularGrid grid = table.resampled ? AngularGrid(regularDirections(11, 48)) : own;
     if (table.resampled) lights = views = evenRings(grid.lights());
     table.lightRings = lights->rings;

@@ -25,6 +25,7 @@ struct PageTable {
     int lights = 0;
     int views = 0;
     bool cosineInside = true;           ///< cos(theta_i) is in the values.
+    std::vector<double> lobe;           ///< LobeProfile::logarithms().
     std::vector<std::uint16_t> halves;  ///< [light][view][R, G, B], bits of half floats.
     bool resampled = false;             ///< The atlas's own directions form no even rings.
 };

@@ -29,10 +29,10 @@ void share(const Material& material, const Frame& frame, const Light& light,
 
 }  // namespace
 
-void addShares(const Material& material, const Frame& frame, const Light& light, double visible,
+void addShares(const Material& material, const Frame& frame, const Light& light, double factor,
                std::vector<LightShare>& shares) {
     share(
-        material, frame, light, [&] { return visible; },
+        material, frame, light, [&] { return factor; },
         [&](std::size_t index, Rgb strength) {
             shares.push_back({index, strength});
         });

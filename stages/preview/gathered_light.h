@@ -17,8 +17,8 @@ struct LightShare {
     Rgb strength;
 };
 
-/// The shares of one light as seen from `frame`, `visible` of which reaches it, added to `shares`.
-void addShares(const Material& material, const Frame& frame, const Light& light, double visible,
+/// The shares of one light as seen from `frame`, `factor` times, added to `shares`.
+void addShares(const Material& material, const Frame& frame, const Light& light, double factor,
                std::vector<LightShare>& shares);
 
 /// Many lights, projected onto the material's light directions at each node of a surface: the

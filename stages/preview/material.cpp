@@ -25,7 +25,14 @@ Material::Material(const Atlas& atlas)
       viewCount_(atlas.header().grid.views().size()),
       lastTheta_(lastThetaOf(atlas.header().grid.lights())),
       cosineIsInside_(atlas.header().cosine == Cosine::kKept),
+      lobe_(atlas),
       values_(atlas.pixels().size()) {
+    for (const Direction& view : atlas.header().grid.views()) {
+        for (const Direction& light : atlas.header().grid.lights()) {
+            const Radians half = halfAngleOf(vectorFromDirection(light), vectorFromDirection(view));
+            inverseLobes_.push_back(static_cast<float>(1 / lobe_.at(half)));
+        }
+    }
     forEachTexelBlock(atlas.header().layout.texelCount(), 1, [&](std::size_t texel, std::size_t) {
         AtlasSample sample;
         sample.texelX = static_cast<int>(texel) % texelsWide_;
@@ -45,6 +52,10 @@ double Material::lightFactor(Radians theta) const {
     if (cosine <= 0) return 0;
     if (!cosineIsInside_) return cosine;
     return theta > lastTheta_ ? cosine / std::cos(lastTheta_) : 1;
+}
+
+std::span<const float> Material::inverseLobe(std::size_t view) const {
+    return std::span(inverseLobes_).subspan(view * lightCount_, lightCount_);
 }
 
 std::span<const Rgb> Material::row(int texelX, int texelY, std::size_t view) const {

@@ -3,6 +3,7 @@
 
 #include "abrdf/angular_interpolation.h"
 #include "abrdf/atlas.h"
+#include "abrdf/lobe_profile.h"
 #include "abrdf/zeroed_vector.h"
 
 #include <span>
@@ -27,6 +28,11 @@ class Material {
     /// with the cosine, to 0 at the horizon; where the values lack the cosine, it is in here.
     double lightFactor(Radians thetaOfLight) const;
 
+    /// The profile of the material's highlight, and 1 / profile at each light for a view: under a
+    /// single light values are interpolated as ratios to it.
+    const LobeProfile& lobe() const { return lobe_; }
+    std::span<const float> inverseLobe(std::size_t view) const;
+
     /// One value a light.
     std::span<const Rgb> row(int texelX, int texelY, std::size_t view) const;
 
@@ -39,6 +45,8 @@ class Material {
     std::size_t viewCount_;
     Radians lastTheta_;
     bool cosineIsInside_;
+    LobeProfile lobe_;
+    std::vector<float> inverseLobes_;  ///< [view][light]
     ZeroedVector<Rgb> values_;
 };
 

@@ -2,6 +2,7 @@
 #include "stages/preview/render.h"
 
 #include "abrdf/for_each_texel.h"
+#include "abrdf/lobe_profile.h"
 #include "stages/preview/gathered_light.h"
 
 #include <algorithm>
@@ -56,20 +57,44 @@ Rgb product(Rgb a, Rgb b) {
     return {a.r * b.r, a.g * b.g, a.b * b.b};
 }
 
-/// The sum over texels, views and lights; `sumOf` sums one row of lights.
+/// The sum over texels and views; sumOf(row of lights, view) sums one row.
 template <typename SumOf>
 Rgb radiance(const Material& material, const Scene& scene, const SurfacePoint& point,
-             const Imath::V3d& towardsCamera, const SumOf& sumOf) {
-    Direction view = directionFromVector(point.frame.local(towardsCamera));
+             const Imath::V3d& localView, const SumOf& sumOf) {
+    Direction view = directionFromVector(localView);
     view.theta = std::min(view.theta, kPi / 2);
     const DirectionWeights views = material.views(view);
     Rgb sum;
     for (const TexelShare& texel : texelsAt(material, scene, point)) {
         if (texel.weight == 0) continue;
         for (std::size_t v = 0; v < views.count; ++v) {
+            const std::size_t index = views.terms[v].index;
             const float weight = texel.weight * static_cast<float>(views.terms[v].weight);
-            sum += weight * sumOf(material.row(texel.x, texel.y, views.terms[v].index));
+            sum += weight * sumOf(material.row(texel.x, texel.y, index), index);
         }
+    }
+    return sum;
+}
+
+/// Shares of the single lights, each times the profile at its half angle: what is summed is then
+/// the ratio to the profile at the nodes.
+void addLobeShares(const Material& material, const Scene& scene, const SurfacePoint& point,
+                   const Imath::V3d& localView, std::vector<LightShare>& shares) {
+    for (const Light& light : scene.lights) {
+        const Imath::V3d local = point.frame.local(light.direction);
+        if (local.z <= 0) continue;
+        const double visible = scene.surface->lightReaching(point, light.direction, light.softness);
+        const double profile = material.lobe().at(halfAngleOf(local, localView));
+        addShares(material, point.frame, light, visible * profile, shares);
+    }
+}
+
+Rgb sumOfRatios(const Material& material, std::span<const Rgb> row, std::size_t view,
+                const std::vector<LightShare>& shares) {
+    const std::span<const float> inverse = material.inverseLobe(view);
+    Rgb sum;
+    for (const LightShare& s : shares) {
+        sum += inverse[s.light] * product(s.strength, row[s.light]);
     }
     return sum;
 }
@@ -84,28 +109,22 @@ class Shader {
 
     Rgb shade(const SurfacePoint& point, const Imath::V3d& towardsCamera, std::vector<Rgb>& dense,
               std::vector<LightShare>& sparse) const {
+        const Imath::V3d view = point.frame.local(towardsCamera);
         sparse.clear();
-        for (const Light& light : scene_.lights) {
-            if ((point.frame.normal ^ light.direction) <= 0) continue;
-            const double visible =
-                scene_.surface->lightReaching(point, light.direction, light.softness);
-            addShares(material_, point.frame, light, visible, sparse);
+        addLobeShares(material_, scene_, point, view, sparse);
+        dense.clear();
+        if (!scene_.sky.empty()) {
+            dense.resize(material_.lightCount());
+            sky_.at(point.u, point.v, dense);
         }
-        if (scene_.sky.empty()) {
-            return radiance(material_, scene_, point, towardsCamera, [&](std::span<const Rgb> row) {
-                Rgb sum;
-                for (const LightShare& s : sparse) sum += product(s.strength, row[s.light]);
-                return sum;
-            });
-        }
-        dense.resize(material_.lightCount());
-        sky_.at(point.u, point.v, dense);
-        for (const LightShare& s : sparse) dense[s.light] += s.strength;
-        return radiance(material_, scene_, point, towardsCamera, [&](std::span<const Rgb> row) {
-            Rgb sum;
-            for (std::size_t i = 0; i < row.size(); ++i) sum += product(dense[i], row[i]);
-            return sum;
-        });
+        return radiance(material_, scene_, point, view,
+                        [&](std::span<const Rgb> row, std::size_t viewIndex) {
+                            Rgb sum = sumOfRatios(material_, row, viewIndex, sparse);
+                            for (std::size_t i = 0; i < dense.size(); ++i) {
+                                sum += product(dense[i], row[i]);
+                            }
+                            return sum;
+                        });
     }
 
   private:
@@ -205,20 +224,22 @@ Picture render(const Material& material, const Scene& scene, int width, int heig
 
 Rgb radianceAt(const Material& material, const Scene& scene, const SurfacePoint& point,
                const Imath::V3d& towardsCamera) {
+    const Imath::V3d view = point.frame.local(towardsCamera);
+    std::vector<LightShare> ratios;
+    addLobeShares(material, scene, point, view, ratios);
     std::vector<LightShare> shares;
-    for (const Light& light : scene.lights) {
-        addShares(material, point.frame, light,
-                  scene.surface->lightReaching(point, light.direction, light.softness), shares);
-    }
     for (const Light& light : scene.sky) {
         addShares(material, point.frame, light,
                   scene.surface->skyReaching(point.u, point.v, light.direction), shares);
     }
-    return radiance(material, scene, point, towardsCamera, [&](std::span<const Rgb> row) {
-        Rgb sum;
-        for (const LightShare& s : shares) sum += product(s.strength, row[s.light]);
-        return sum;
-    });
+    return radiance(material, scene, point, view,
+                    [&](std::span<const Rgb> row, std::size_t viewIndex) {
+                        Rgb sum = sumOfRatios(material, row, viewIndex, ratios);
+                        for (const LightShare& s : shares) {
+                            sum += product(s.strength, row[s.light]);
+                        }
+                        return sum;
+                    });
 }
 
 }  // namespace abrdf

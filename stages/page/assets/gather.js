@@ -24,6 +24,48 @@ function eachWeight(rings, x, y, z, add) {
     }
 }
 
+/** The profile of a table at a half angle in degrees, as LobeProfile of the program has it. */
+function lobeAt(table, degrees) {
+    const c = table.lobe, places = c.length;
+    const place = Math.log((degrees + 2) / 2) / Math.log(46) * (places - 1);
+    const i = Math.min(Math.floor(place), places - 2), t = place - i, u = 1 - t;
+    return Math.exp((u ** 3 * c[i > 0 ? i - 1 : 1] + (3 * t ** 3 - 6 * t * t + 4) * c[i]
+        + (3 * u ** 3 - 6 * u * u + 4) * c[i + 1] + t ** 3 * c[Math.min(i + 2, places - 1)]) / 6);
+}
+
+/** Unit vectors of all directions of rings, in the table's order. */
+function vectorsOf(rings) {
+    const vectors = [];
+    for (const [theta, phi0, count, first] of rings) {
+        for (let k = 0; k < count; ++k) {
+            const phi = phi0 + 2 * Math.PI * k / count;
+            vectors[first + k] = [Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta)];
+        }
+    }
+    return vectors;
+}
+
+function floatOfHalf(bits) {
+    const exponent = bits >> 10 & 31, fraction = bits & 1023;
+    const size = exponent ? 2 ** (exponent - 15) * (1 + fraction / 1024) : 2 ** -24 * fraction;
+    return bits & 0x8000 ? -size : size;
+}
+
+/** Float32Array [light][view][R, G, B, 1 / profile]. */
+function withProfile(table, halves) {
+    const out = new Float32Array(4 * table.lights * table.views);
+    const lights = vectorsOf(table.lightRings), views = vectorsOf(table.viewRings);
+    let at = 0, from = 0;
+    for (const l of lights) {
+        for (const v of views) {
+            for (let c = 0; c < 3; ++c) out[at++] = floatOfHalf(halves[from++]);
+            const half = Math.atan2(Math.hypot(l[0] + v[0], l[1] + v[1]), l[2] + v[2]);
+            out[at++] = 1 / lobeAt(table, half * 180 / Math.PI);
+        }
+    }
+    return out;
+}
+
 /** Float32Array [light][latitude][longitude][RGBA]; the last meridian repeats the first. */
 function gather(table, lights) {
     const plane = NODES_WIDE * NODES_HIGH * 4;

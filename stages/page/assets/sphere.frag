@@ -11,8 +11,8 @@ uniform vec2 uSize;               // Pixels.
 uniform mat3 uCamera;             // Columns: right, up, towards the camera.
 uniform float uDistance;          // From the middle of the sphere.
 uniform float uHalfAngle;         // Tangent of half the field of view.
-uniform vec3 uLight;              // Unit vector towards the one light; its strength is uStrength.
-uniform float uStrength;          // 0: no such light.
+uniform vec3 uLight;              // Unit vector towards the one light or the sun.
+uniform vec3 uStrength;           // What a white Lambertian that faces it shows; 0: no such light.
 uniform float uTurn;              // Of the environment about the axis, in turns.
 uniform bool uEnvironment;
 uniform float uExposure;
@@ -23,7 +23,8 @@ uniform bool uHasReconstruction;
 uniform bool uHasMeasurement;
 uniform vec3 uBackground;
 
-// Two tables: 0 the reconstruction, 1 the measurement. Columns are views, rows lights.
+// Two tables: 0 the reconstruction, 1 the measurement. Columns are views, rows lights; alpha is
+// 1 / p, the profile at the pair.
 uniform sampler2D uTable0;
 uniform sampler2D uTable1;
 // The environment, gathered at nodes of longitude and latitude: one layer a light direction.
@@ -34,6 +35,9 @@ uniform vec4 uRings[4 * MOST_RINGS];
 uniform ivec4 uRingCounts;
 uniform ivec2 uLightCounts;
 uniform bvec2 uCosineInside;
+// Coefficients of the splines of ln p over ln(half angle + 2 degrees): LobeProfile of the program.
+const int PLACES = 32;
+uniform float uLobes[2 * PLACES];
 uniform sampler3D uView;
 
 out vec4 outColor;
@@ -76,17 +80,40 @@ Weights weightsOf(int set, vec3 direction) {
     return w;
 }
 
-vec3 stored(int table, int light, int view) {
-    return table == 0 ? texelFetch(uTable0, ivec2(view, light), 0).rgb
-                      : texelFetch(uTable1, ivec2(view, light), 0).rgb;
+vec4 stored(int table, int light, int view) {
+    return table == 0 ? texelFetch(uTable0, ivec2(view, light), 0)
+                      : texelFetch(uTable1, ivec2(view, light), 0);
 }
 
 vec3 row(int table, int light, Weights views) {
     vec3 sum = vec3(0.0);
     for (int v = 0; v < 4; ++v) {
-        if (views.weight[v] > 0.0) sum += views.weight[v] * stored(table, light, views.index[v]);
+        if (views.weight[v] > 0.0) sum += views.weight[v] * stored(table, light, views.index[v]).rgb;
     }
     return sum;
+}
+
+// The same as ratios to the profile.
+vec3 ratioRow(int table, int light, Weights views) {
+    vec3 sum = vec3(0.0);
+    for (int v = 0; v < 4; ++v) {
+        vec4 value = stored(table, light, views.index[v]);
+        sum += views.weight[v] * value.a * value.rgb;
+    }
+    return sum;
+}
+
+float lobe(int table, vec3 halfVector) {
+    float degrees = clamp(atan(length(halfVector.xy), halfVector.z) * 180.0 / PI, 0.0, 90.0);
+    float place = log((degrees + 2.0) / 2.0) / log(46.0) * float(PLACES - 1);
+    int i = min(int(place), PLACES - 2);
+    float t = place - float(i), u = 1.0 - t;
+    int first = table * PLACES;
+    float sum = u * u * u * uLobes[first + (i > 0 ? i - 1 : 1)]
+        + (3.0 * t * t * t - 6.0 * t * t + 4.0) * uLobes[first + i]
+        + (3.0 * u * u * u - 6.0 * u * u + 4.0) * uLobes[first + i + 1]
+        + t * t * t * uLobes[first + min(i + 2, PLACES - 1)];
+    return exp(sum / 6.0);
 }
 
 // What values past the last elevation, or without their cosine, are multiplied by.
@@ -109,12 +136,12 @@ vec3 radiance(int table, vec3 normal, vec3 towards) {
     Weights views = weightsOf(2 * table + 1, towards * frame);
     vec3 sum = vec3(0.0);
     vec3 light = uLight * frame;
-    if (uStrength > 0.0 && light.z > 0.0) {
+    if (uStrength.g > 0.0 && light.z > 0.0) {
         Weights lights = weightsOf(2 * table, light);
         for (int l = 0; l < 4; ++l) {
-            if (lights.weight[l] > 0.0) sum += lights.weight[l] * row(table, lights.index[l], views);
+            if (lights.weight[l] > 0.0) sum += lights.weight[l] * ratioRow(table, lights.index[l], views);
         }
-        sum *= uStrength * lightFactor(table, light.z);
+        sum *= uStrength * lightFactor(table, light.z) * lobe(table, light + towards * frame);
     }
     if (uEnvironment) {
         // The first and the last column are one meridian; nodes are the middles of texels.

@@ -52,17 +52,18 @@ function makeViewer(canvas) {
     texture(4, gl.TEXTURE_3D, gl.LINEAR, () => gl.texImage3D(gl.TEXTURE_3D, 0, gl.RGB8, side, side, side, 0,
         gl.RGB, gl.UNSIGNED_BYTE, bytesOf(DATA.view.codes)));
 
-    const environments = DATA.environments.map((e) => ({name: e.name, lights: new Float32Array(bytesOf(e.lights).buffer)}));
+    const environments = DATA.environments.map((e) => ({name: e.name, sun: e.sun, lights: new Float32Array(bytesOf(e.lights).buffer)}));
     const gatheredOf = new Map();  // Of a light grid and an environment.
 
     function bindTable(slot, table) {
-        if (table.halvesTexture === undefined) {
+        if (table.texture === undefined) {
             const halves = new Uint16Array(bytesOf(table.halves).buffer);
-            table.halvesTexture = texture(slot, gl.TEXTURE_2D, gl.NEAREST, () => gl.texImage2D(gl.TEXTURE_2D, 0,
-                gl.RGB16F, table.views, table.lights, 0, gl.RGB, gl.HALF_FLOAT, halves));
+            const values = withProfile(table, halves);
+            table.texture = texture(slot, gl.TEXTURE_2D, gl.NEAREST, () => gl.texImage2D(gl.TEXTURE_2D, 0,
+                gl.RGBA32F, table.views, table.lights, 0, gl.RGBA, gl.FLOAT, values));
         }
         gl.activeTexture(gl.TEXTURE0 + slot);
-        gl.bindTexture(gl.TEXTURE_2D, table.halvesTexture);
+        gl.bindTexture(gl.TEXTURE_2D, table.texture);
     }
 
     function bindGathered(slot, table, environment) {
@@ -78,6 +79,7 @@ function makeViewer(canvas) {
 
     function setTables(material, environment) {
         const rings = new Float32Array(4 * 16 * 4);
+        const lobes = new Float32Array(64);
         const counts = [0, 0, 0, 0], lights = [0, 0], cosines = [1, 1];
         [material.reconstruction, material.measurement].forEach((table, slot) => {
             // A slot without a table of its own gets the other's, so that every sampler is complete.
@@ -88,10 +90,12 @@ function makeViewer(canvas) {
                 rings.set(list.flat(), (2 * slot + i) * 64);
                 counts[2 * slot + i] = list.length;
             });
+            lobes.set(filled.lobe, 32 * slot);
             lights[slot] = filled.lights;
             cosines[slot] = filled.cosineInside ? 1 : 0;
         });
         gl.uniform4fv(at("uRings"), rings);
+        gl.uniform1fv(at("uLobes"), lobes);
         gl.uniform4i(at("uRingCounts"), ...counts);
         gl.uniform2i(at("uLightCounts"), ...lights);
         gl.uniform2i(at("uCosineInside"), ...cosines);
@@ -115,8 +119,11 @@ function makeViewer(canvas) {
         gl.uniformMatrix3fv(at("uCamera"), false, [...right, ...up, ...towards]);
         gl.uniform1f(at("uDistance"), 1.06 / Math.sin(half));
         gl.uniform1f(at("uHalfAngle"), Math.tan(half));
-        gl.uniform3fv(at("uLight"), unit(state.lightAzimuth, state.lightElevation));
-        gl.uniform1f(at("uStrength"), environment ? 0 : 1);
+        const sun = environment?.sun;
+        const c = Math.cos(state.lightAzimuth * RADIANS), s = Math.sin(state.lightAzimuth * RADIANS);
+        gl.uniform3fv(at("uLight"), sun ? [c * sun[0] + s * sun[2], sun[1], c * sun[2] - s * sun[0]]
+            : unit(state.lightAzimuth, state.lightElevation));
+        gl.uniform3fv(at("uStrength"), sun ? sun.slice(3) : environment ? [0, 0, 0] : [1, 1, 1]);
         gl.uniform1i(at("uEnvironment"), environment ? 1 : 0);
         gl.uniform1f(at("uTurn"), state.lightAzimuth / 360);
         gl.uniform1f(at("uExposure"), 2 ** state.exposure);

@@ -96,9 +96,19 @@ TEST_CASE("in a furnace of radiance 1 a Lambertian shows its albedo, on any shap
     }
 }
 
-TEST_CASE("under one light a pixel is what lookUp says, to the horizon and black beyond it") {
+TEST_CASE(
+    "under one light a pixel is lookUp's, as a ratio to the lobe, and black past the horizon") {
     const Atlas atlas = glossy();
     const Material material(atlas);
+    const LobeProfile lobe(atlas);
+    CHECK(lobe.at(0.3) < 0.5);
+    std::vector<Rgb> ratios = atlas.pixels();
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        const LightAndView p = atlas.header().grid.pair(i);
+        ratios[i] *= static_cast<float>(
+            1 / lobe.at(halfAngleOf(vectorFromDirection(p.light), vectorFromDirection(p.view))));
+    }
+    const Atlas ratioAtlas(atlas.header(), ratios);
     const auto sphere = makeSphere();
     const Imath::V3d towards = vectorFromAzimuthElevation(1.2, 0.5);
     const Scene scene = sceneOf(*sphere, {{towards, {1, 2, 0.5F}}}, {});
@@ -122,9 +132,9 @@ TEST_CASE("under one light a pixel is what lookUp says, to the horizon and black
             light.theta = std::min(light.theta, kLast);
             const double fade = theta > kLast ? std::cos(theta) / std::cos(kLast) : 1;
             beyond += theta > kLast ? 1 : 0;
-            expected =
-                static_cast<float>(fade) *
-                lookUp(atlas, light, directionFromVector(point->frame.local(-ray.direction)), 0, 0);
+            const Imath::V3d view = point->frame.local(-ray.direction);
+            expected = static_cast<float>(fade * lobe.at(halfAngleOf(local, view))) *
+                       lookUp(ratioAtlas, light, directionFromVector(view), 0, 0);
         }
         CHECK(std::abs(picture.color[pixel].r - expected.r) < 2e-5);
         CHECK(std::abs(picture.color[pixel].g - 2 * expected.g) < 2e-5);
