@@ -2,9 +2,9 @@
 #pragma once
 
 #include "abrdf/progress.h"
-#include "pipeline/reconstruction.h"
 #include "pipeline/job.h"
 #include "pipeline/page_job.h"
+#include "pipeline/reconstruction.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
