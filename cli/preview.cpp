@@ -88,7 +88,14 @@ PreviewOptions jobOf(const Options& options) {
     return job;
 }
 
+bool isKept(const Options& options, const std::filesystem::path& output) {
+    if (!options.noClobber || !std::filesystem::exists(output)) return false;
+    spdlog::info("{}: exists and is kept (--no-clobber)", output.string());
+    return true;
+}
+
 int runPage(const Options& options, const SharedOptions& shared, const ProgressSink& progress) {
+    if (isKept(options, options.html)) return 0;
     PageOptions page = options.page;
     page.atlases = options.atlases;
     page.output = options.html;
@@ -111,10 +118,7 @@ int run(const Options& options, const SharedOptions& shared, const ProgressSink&
     }
     PreviewOptions job = jobOf(options);
     job.atlas = options.atlases.front();
-    if (options.noClobber && std::filesystem::exists(job.output)) {
-        spdlog::info("{}: exists and is kept (--no-clobber)", job.output.string());
-        return 0;
-    }
+    if (isKept(options, job.output)) return 0;
     auto report = preview(job, progress);
     report["threads"] = shared.threads;
     if (report["color"].value("encoding", "") == "unknown") {

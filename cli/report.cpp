@@ -35,6 +35,7 @@ void addReport(CLI::App& app, RunCommand& runCommand) {
         PageOptions page;
     };
     auto options = std::make_shared<Options>();
+    auto noClobber = std::make_shared<bool>(false);
     PageOptions& page = options->page;
     command
         ->add_option("FOLDER", options->folder,
@@ -47,8 +48,15 @@ void addReport(CLI::App& app, RunCommand& runCommand) {
     command->add_option("--view", page.display.view, "the view of tone curve 1");
     command->add_option("--colorconfig", page.colorConfig,
                         "OpenColorIO config (else $OCIO, else the shipped one)");
-    command->callback([options, &runCommand] {
-        runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {
+    command->add_flag("--no-clobber", *noClobber, "keep an existing output");
+    command->callback([options, noClobber, &runCommand] {
+        runCommand = [options, noClobber](const SharedOptions& shared,
+                                          const ProgressSink& progress) {
+            if (*noClobber && std::filesystem::exists(options->page.output)) {
+                spdlog::info("{}: exists and is kept (--no-clobber)",
+                             options->page.output.string());
+                return 0;
+            }
             return deliverPage(reportFolder(options->folder, options->page, progress), shared);
         };
     });

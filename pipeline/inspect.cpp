@@ -126,6 +126,7 @@ ordered_json inspectAtlas(const fs::path& path) {
                         {"extrapolated", atlas.counts.extrapolated},
                         {"nonfinite", atlas.counts.nonfinite}};
     report["color_space"] = atlas.colorSpace;
+    if (!atlas.conversion.empty()) report["conversion"] = atlas.conversion;
     report["color_interop_id"] = atlas.interopId;
     report["cosine"] = nameOf(atlas.cosine);
     report["missing"] = ordered_json::array();

@@ -60,6 +60,7 @@ Atlas atlasInSpace(const std::filesystem::path& path, const ColorConfig& colors,
         transform.apply(std::span(pixels).subspan(begin, end - begin));
     });
     header.colorSpace = to;
+    header.conversion = from + " -> " + to;
     const auto known =
         knownSpace(colors.has(to) ? colors.aliases(to) : std::vector<std::string>{to});
     header.interopId = known ? std::string(interopId(*known)) : "unknown";

@@ -160,6 +160,9 @@ TEST_CASE("preview makes pictures of every kind, and says wrong usage as such") 
     const auto report =
         nlohmann::json::parse(runProgram(folder.path(), "report . -o page.html --json").out);
     CHECK(report["materials"] == 1);
+    const auto pageSize = fs::file_size(folder.path() / "page.html");
+    CHECK(runProgram(folder.path(), "report . -o page.html --title x --no-clobber").status == 0);
+    CHECK(fs::file_size(folder.path() / "page.html") == pageSize);
     CHECK(runProgram(folder.path(), "preview a.exr m.exr -o a.png").status == 2);
     CHECK(runProgram(folder.path(), "preview a.exr").status == 2);
     CHECK(runProgram(folder.path(), "preview a.exr -o a.png --kind cube").status == 2);

@@ -3,6 +3,7 @@
 
 #include "color/delta_e.h"
 #include "pipeline/convert.h"
+#include "stages/read/atlas_reader.h"
 #include "tests/support/synthetic_atlas.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -180,7 +181,10 @@ TEST_CASE("a colour checker goes from ACEScg through an atlas and a preview to s
     job.method.name = "measured";
     job.texels = {0, 0};
     job.pixel = PixelChoice::kFloat;
-    convert(job, {});
+    const auto made = convert(job, {});
+    CHECK(made["color"]["conversions"].size() == 1);
+    CHECK(made["color"]["conversions"][0]["from"] == "ACEScg");
+    CHECK(readAtlasHeader(job.output).conversion == "ACEScg -> ACEScg");
 
     PreviewOptions options = flat(job.output, folder.path() / "checker.png");
     options.width = options.height = 480;
