@@ -17,6 +17,9 @@ class Atlas {
 
     const AtlasHeader& header() const { return header_; }
 
+    /// Row by row, as the layout says.
+    const std::vector<Rgb>& pixels() const { return pixels_; }
+
     /// The stored value.
     Rgb at(const AtlasSample& sample) const;
 
@@ -28,6 +31,10 @@ class Atlas {
     std::vector<Rgb> pixels_;
     PairInterpolation interpolation_;
 };
+
+/// The average of all texels: an atlas of one. Values that are not finite are left out; a pair that
+/// has no other is NaN.
+Atlas meanOverTexels(const Atlas& atlas);
 
 /// B(light, view) of a texel: exact at the atlas's directions, interpolated between them, held
 /// past the last elevation. Throws std::out_of_range for a texel that is not in the atlas.

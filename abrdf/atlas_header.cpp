@@ -89,6 +89,9 @@ void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     header.insert("abrdf:extrapolated", IntAttribute(headerCount(atlas.counts.extrapolated)));
     header.insert("abrdf:nonfinite", IntAttribute(headerCount(atlas.counts.nonfinite)));
     header.insert("abrdf:colorSpace", StringAttribute(atlas.colorSpace));
+    if (!atlas.conversion.empty()) {
+        header.insert("abrdf:conversion", StringAttribute(atlas.conversion));
+    }
     header.insert("colorInteropID", StringAttribute(atlas.interopId));
     header.insert("Software", StringAttribute("abrdf"));
     if (const auto space = knownSpaceFromInteropId(atlas.interopId)) {
@@ -135,6 +138,9 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
     atlas.counts.extrapolated = count("abrdf:extrapolated");
     atlas.counts.nonfinite = count("abrdf:nonfinite");
     atlas.colorSpace = text("abrdf:colorSpace");
+    if (header.find("abrdf:conversion") != header.end()) {
+        atlas.conversion = text("abrdf:conversion");
+    }
     atlas.interopId = text("colorInteropID");
     const Imath::Box2i& window = header.dataWindow();
     const bool fits =

@@ -36,6 +36,7 @@ struct AtlasHeader {
     ValueCounts counts;
     std::string colorSpace;  ///< OpenColorIO name.
     std::string interopId;   ///< Color Interop Forum id, "unknown" where the space is none of ours.
+    std::string conversion;  ///< "sRGB - Texture -> ACEScg": of the input's colours; may be empty.
 };
 
 constexpr int kAtlasVersion = 1;

@@ -3,6 +3,8 @@
 
 #include "abrdf/grazing.h"
 #include "abrdf/progress.h"
+#include "pipeline/job.h"
+#include "pipeline/page_job.h"
 #include "pipeline/reconstruction.h"
 
 #include <CLI/CLI.hpp>
@@ -32,6 +34,8 @@ void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
 void addExport(CLI::App& app, RunCommand& run);
+void addPreview(CLI::App& app, RunCommand& run);
+void addReport(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
 
 /// --pattern and --utia-encoding: for every command that opens a database.
@@ -45,6 +49,10 @@ void addInputOptions(CLI::App& command, InputOptions& options);
 
 /// The method's plan, model and numbers: for every command that reconstructs.
 void addMethodOptions(CLI::App& command, MethodChoice& choice);
+
+/// Options of a page that `preview --html` and `report` share; and what both end with.
+void addPageOptions(CLI::App& command, PageOptions& options);
+int deliverPage(nlohmann::ordered_json report, const SharedOptions& shared);
 
 /// Prints `report` on stdout as JSON where --json was given, else `text`, and writes --report.
 void deliver(const nlohmann::ordered_json& report, const std::string& text,

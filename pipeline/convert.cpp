@@ -54,6 +54,7 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
                         : description.cosine;
     header.maxMeasuredTheta = description.maxMeasuredTheta;
     header.colorSpace = job.input.colors.spaceName(options.outputSpace);
+    header.conversion = fmt::format("{} -> {}", job.input.inputSpace, header.colorSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
     header.counts.missing = job.samples().filled;
@@ -168,6 +169,11 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
                       {"images_read", job.samples().pairs.size()}};
     report["method"] = options.method.name;
     report["texels"] = {job.texels.width, job.texels.height};
+    const ordered_json conversion = {{"what", description.source},
+                                     {"from", job.input.inputSpace},
+                                     {"to", job.header.colorSpace}};
+    report["color"] = {{"config", job.input.colors.origin()},
+                       {"conversions", ordered_json::array({conversion})}};
     report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
     report["grazing"] = nameOf(options.grazing);
     return report;

@@ -109,6 +109,7 @@ ordered_json inspectAtlas(const fs::path& path, const ProgressSink& progress) {
                         {"extrapolated", atlas.counts.extrapolated},
                         {"nonfinite", atlas.counts.nonfinite}};
     report["color_space"] = atlas.colorSpace;
+    if (!atlas.conversion.empty()) report["conversion"] = atlas.conversion;
     report["color_interop_id"] = atlas.interopId;
     report["cosine"] = nameOf(atlas.cosine);
     report["cosine_from"] = "header";
