@@ -12,7 +12,7 @@ namespace {
 
 class Measured : public Reconstructor {
   public:
-    explicit Measured(const ReconstructionTask& task) {
+    explicit Measured(const ReconstructionTask& task) : samples_(task.samples.count()) {
         if (task.input == task.output) return;
         const AngularInterpolation lights(task.input.lights());
         const AngularInterpolation views(task.input.views());
@@ -40,7 +40,10 @@ class Measured : public Reconstructor {
         return 3 * terms;
     }
 
+    double modelBytes() const override { return static_cast<double>(samples_ * sizeof(Rgb)); }
+
   private:
+    std::size_t samples_;
     std::vector<std::vector<WeightedPair>>
         weights_;  ///< Of each output pair; empty: the same grid.
 };
