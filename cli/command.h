@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abrdf/progress.h"
-#include "pipeline/reconstruction.h"
+#include "pipeline/plane.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -37,6 +37,15 @@ void addInputOptions(CLI::App& command, InputOptions& options);
 
 /// The method's plan, model and numbers: for every command that reconstructs.
 void addMethodOptions(CLI::App& command, MethodChoice& choice);
+
+/// The surface's plane, as text until the command runs.
+struct PlaneOptions {
+    std::string plane = "auto";
+    std::string edges = "auto";
+    bool unshift = false;
+};
+void addPlaneOptions(CLI::App& command, PlaneOptions& options);
+PlaneChoice planeFrom(const PlaneOptions& options);
 
 /// Prints `report` on stdout as JSON where --json was given, else `text`, and writes --report.
 void deliver(const nlohmann::ordered_json& report, const std::string& text,

@@ -13,6 +13,7 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     struct Options {
         EvaluateOptions job;
         std::string texels = "1x1";
+        PlaneOptions plane;
     };
     auto options = std::make_shared<Options>();
     addInputOptions(*command, options->job.input);
@@ -23,6 +24,7 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
         ->capture_default_str();
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();
+    addPlaneOptions(*command, options->plane);
     command
         ->add_option("--exposure", options->job.exposure, "factor on the values, natural exposure")
         ->capture_default_str();
@@ -30,6 +32,7 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     command->callback([options, &runCommand] {
         runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {
             options->job.texels = texelsFromName(options->texels);
+            options->job.plane = planeFrom(options->plane);
             const auto report = evaluate(options->job, progress);
             deliver(report, tableOf(report), shared);
             return 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abrdf/atlas_header.h"
+#include "pipeline/plane.h"
 #include "pipeline/reconstruction.h"
 #include "stages/write/atlas_writer.h"
 
@@ -22,6 +23,7 @@ struct ConvertOptions {
     MethodChoice method;
     std::string grid = "input";  ///< Or what gridFromName() takes.
     Texels texels;
+    PlaneChoice plane;
     AtlasKind layout = AtlasKind::kAngular;
     PixelChoice pixel = PixelChoice::kAuto;
     Compression compression = Compression::kZip;

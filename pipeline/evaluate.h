@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pipeline/reconstruction.h"
+#include "pipeline/plane.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +13,7 @@ struct EvaluateOptions {
     std::vector<std::string> methods = {"published", "prior"};
     MethodChoice choice;  ///< Of each method; its name is not used.
     Texels texels;
+    PlaneChoice plane;
     double exposure = 1;          ///< Factor on the values for the natural exposure, > 0.
     std::filesystem::path sheet;  ///< Contact sheet (PNG); empty: none.
 };

@@ -145,6 +145,38 @@ void addRow(const Row& row, double rowShare, std::span<Sum> sums) {
     }
 }
 
+/// Adds an image row by row: addPixels(y, rowShare, sums of a row of texels) for each row of pixels
+/// and each row of texels that it has a share in.
+template <typename AddPixels>
+void sumTexels(int imageHeight, int width, int height, std::span<Rgb> texels,
+               const AddPixels& addPixels) {
+    std::vector<Sum> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = 0; y < imageHeight; ++y) {
+        for (int texel = texelOfPixel(y, imageHeight, height); texel < height; ++texel) {
+            const double rowShare = share(y, imageHeight, texel, height);
+            if (rowShare == 0) break;
+            addPixels(y, rowShare,
+                      std::span(sums).subspan(static_cast<std::size_t>(texel * width),
+                                              static_cast<std::size_t>(width)));
+        }
+    }
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Sum& s = sums[i];
+        texels[i] = s.weight > 0 ? Rgb{static_cast<float>(s.r / s.weight),
+                                       static_cast<float>(s.g / s.weight),
+                                       static_cast<float>(s.b / s.weight)}
+                                 : Rgb{kNaN, kNaN, kNaN};
+    }
+}
+
+void checkTexels(int imageWidth, int imageHeight, int width, int height) {
+    if (width >= 1 && height >= 1 && width <= imageWidth && height <= imageHeight) return;
+    throw std::invalid_argument(
+        fmt::format("{} x {} texels cannot be made of images of {} x {} pixels", width, height,
+                    imageWidth, imageHeight));
+}
+
 }  // namespace
 
 Linearizer::Linearizer(ColorTransform toSceneLinear) : transform_(std::move(toSceneLinear)) {
@@ -188,50 +220,47 @@ void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::sp
 
 std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer, int width,
                          int height, std::span<Rgb> texels) {
-    if (width < 1 || height < 1 || width > image.width || height > image.height) {
-        throw std::invalid_argument(
-            fmt::format("{} x {} texels cannot be made of images of {} x {} pixels", width, height,
-                        image.width, image.height));
-    }
+    checkTexels(image.width, image.height, width, height);
     const auto columns = static_cast<std::size_t>(image.width);
     const auto* codes = std::get_if<std::vector<std::uint8_t>>(&image.rgb);
     const CodeTable* table = codes != nullptr ? linearizer.table() : nullptr;
-    std::vector<Rgb> colors(table == nullptr ? columns : 0);
-    std::vector<Sum> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    if (table != nullptr) {
+        sumTexels(image.height, width, height, texels,
+                  [&](int y, double rowShare, std::span<Sum> row) {
+                      const std::size_t first = 3 * static_cast<std::size_t>(y) * columns;
+                      addRow(CodedRow(std::span(*codes).subspan(first, 3 * columns), *table),
+                             rowShare, row);
+                  });
+        return 0;
+    }
+    std::vector<Rgb> colors(columns);
     std::size_t leftOut = 0;
-    for (int y = 0; y < image.height; ++y) {
-        const std::size_t first = static_cast<std::size_t>(y) * columns;
-        bool allValid = true;
-        if (table == nullptr) {
-            linearizer.linearize(image, first, colors);
-            allValid = areLights(colors);
-            if (!allValid) {
-                leftOut +=
-                    columns - static_cast<std::size_t>(std::ranges::count_if(colors, isLight));
-            }
-        }
-        for (int texel = texelOfPixel(y, image.height, height); texel < height; ++texel) {
-            const double rowShare = share(y, image.height, texel, height);
-            if (rowShare == 0) break;
-            const auto row = std::span(sums).subspan(static_cast<std::size_t>(texel * width),
-                                                     static_cast<std::size_t>(width));
-            if (table != nullptr) {
-                addRow(CodedRow(std::span(*codes).subspan(3 * first, 3 * columns), *table),
-                       rowShare, row);
-            } else {
-                addRow(LinearRow(colors, allValid), rowShare, row);
-            }
-        }
-    }
-    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        const Sum& s = sums[i];
-        texels[i] = s.weight > 0 ? Rgb{static_cast<float>(s.r / s.weight),
-                                       static_cast<float>(s.g / s.weight),
-                                       static_cast<float>(s.b / s.weight)}
-                                 : Rgb{kNaN, kNaN, kNaN};
-    }
+    bool allValid = true;
+    int linear = -1;  // The row that `colors` holds.
+    sumTexels(image.height, width, height, texels,
+              [&](int y, double rowShare, std::span<Sum> row) {
+                  if (y != linear) {
+                      linear = y;
+                      linearizer.linearize(image, static_cast<std::size_t>(y) * columns, colors);
+                      allValid = areLights(colors);
+                      if (!allValid) {
+                          leftOut += columns - static_cast<std::size_t>(
+                                                   std::ranges::count_if(colors, isLight));
+                      }
+                  }
+                  addRow(LinearRow(colors, allValid), rowShare, row);
+              });
     return leftOut;
+}
+
+void averageColors(std::span<const Rgb> colors, int imageWidth, int imageHeight, int width,
+                   int height, std::span<Rgb> texels) {
+    checkTexels(imageWidth, imageHeight, width, height);
+    const auto columns = static_cast<std::size_t>(imageWidth);
+    sumTexels(imageHeight, width, height, texels, [&](int y, double rowShare, std::span<Sum> row) {
+        const auto pixels = colors.subspan(static_cast<std::size_t>(y) * columns, columns);
+        addRow(LinearRow(pixels, areLights(pixels)), rowShare, row);
+    });
 }
 
 }  // namespace abrdf
