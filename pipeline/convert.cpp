@@ -32,22 +32,13 @@ struct Job {
     PlannedMethod planned;
     FoundPlane found;
     AngularGrid grid;
+    GrazingMap grazing;  ///< From the elevations that are measured to the grid's.
     Texels texels;
     AtlasHeader header;
 
     AtlasLayout layout() const { return header.layout; }
     const SampleSet& samples() const { return planned.samples; }
 };
-
-std::uint64_t extrapolatedPairs(const AngularGrid& grid, Radians maxMeasuredTheta) {
-    const Radians limit = maxMeasuredTheta + radiansFromDegrees(0.01);
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < grid.pairCount(); ++i) {
-        const LightAndView pair = grid.pair(i);
-        count += pair.light.theta > limit || pair.view.theta > limit ? 1U : 0U;
-    }
-    return count;
-}
 
 AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
     const BtfDescription& description = job.input.description();
@@ -63,13 +54,13 @@ AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
     header.cosine = options.divideCosine && description.cosine == Cosine::kKept
                         ? Cosine::kDivided
                         : description.cosine;
-    header.maxMeasuredTheta = description.grid.maxTheta();
+    header.maxMeasuredTheta = description.maxMeasuredTheta;
     header.colorSpace = job.input.colors.spaceName(options.outputSpace);
+    header.conversion = fmt::format("{} -> {}", job.input.inputSpace, header.colorSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
     header.counts.missing = job.samples().filled;
-    header.counts.extrapolated =
-        extrapolatedPairs(job.grid, header.maxMeasuredTheta) * header.layout.texelCount();
+    header.counts.extrapolated = job.grazing.extrapolatedPairs() * header.layout.texelCount();
     return header;
 }
 
@@ -85,7 +76,10 @@ Job prepare(const ConvertOptions& options, const ProgressSink& progress) {
     job.input = openInput(options.input);
     if (options.grid == "input") job.grid = job.input.description().grid;
     job.texels = resolvedTexels(options.texels, job.input.description());
-    job.planned = planMethod(options.method, job.input, job.grid, progress);
+    const BtfDescription& description = job.input.description();
+    job.grazing =
+        GrazingMap(job.grid, description.maxMeasuredTheta, options.grazing, description.cosine);
+    job.planned = planMethod(options.method, job.input, job.grazing.inner(), progress);
     job.header = headerOf(job, options);
     const std::int64_t width = std::int64_t{job.texels.width} * job.layout().views;
     const std::int64_t height = std::int64_t{job.texels.height} * job.layout().lights;
@@ -116,6 +110,19 @@ struct Written {
     bool fits = true;  ///< False: a value is too large for half, and nothing was written.
 };
 
+/// All pairs of the grid, of `count` rows of aligned texels.
+ReconstructedTexels reconstructRows(const Job& job, const ImageStack& stack,
+                                    const Reconstructor& reconstructor, int first, int count) {
+    const auto width = static_cast<std::size_t>(job.texels.width);
+    const SlicedTexels sliced =
+        sliceTexels(stack, job.samples(), static_cast<std::size_t>(first) * width,
+                    static_cast<std::size_t>(count) * width);
+    ReconstructedTexels texels =
+        reconstructTexels(sliced.samples, job.grazing.inner(), reconstructor);
+    if (!job.grazing.isIdentity()) texels.abrdfs = job.grazing.apply(texels.abrdfs);
+    return texels;
+}
+
 /// Reconstructs, packs and writes all texels, block by block.
 Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor& reconstructor,
                    const ConvertOptions& options, PixelType type, const ProgressSink& progress) {
@@ -126,22 +133,18 @@ Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor&
     Written written;
     written.counts = job.header.counts;
     const int rows = rowsAtOnce(job, writer.tileHeight());
-    const auto reconstructRows = [&](int first, int count) {
-        const auto width = static_cast<std::size_t>(layout.texelsWide);
-        const SlicedTexels sliced =
-            sliceTexels(stack, job.samples(), static_cast<std::size_t>(first) * width,
-                        static_cast<std::size_t>(count) * width);
-        return reconstructTexels(sliced.samples, job.grid, reconstructor);
+    const auto reconstructed = [&](int first, int count) {
+        return reconstructRows(job, stack, reconstructor, first, count);
     };
     UnshiftedTexels unshifted(job.found.plane, job.input.description(), job.texels, job.grid,
-                              reconstructRows);
+                              reconstructed);
     const bool unshift = options.plane.unshift && job.found.plane.height != 0;
     for (int row = 0; row < layout.texelsHigh; row += rows) {
         const int count = std::min(rows, layout.texelsHigh - row);
         const auto width = static_cast<std::size_t>(layout.texelsWide);
         const auto start = Clock::now();
         ReconstructedTexels texels =
-            unshift ? unshifted.rows(row, count) : reconstructRows(row, count);
+            unshift ? unshifted.rows(row, count) : reconstructed(row, count);
         written.reconstructSeconds += secondsSince(start);
         finishTexels(texels.abrdfs, job.grid, pack);
         written.counts.clamped += texels.clamped;
@@ -175,6 +178,7 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
                        {"width", description.width},
                        {"height", description.height},
                        {"images", description.imageCount()},
+                       {"below_horizon", description.belowHorizon},
                        {"cosine", nameOf(description.cosine)},
                        {"color_space", job.input.inputSpace}};
     report["plan"] = {{"name", job.header.plan},
@@ -182,7 +186,13 @@ ordered_json reportOf(const Job& job, const ConvertOptions& options) {
                       {"images_read", job.samples().pairs.size()}};
     report["method"] = options.method.name;
     report["texels"] = {job.texels.width, job.texels.height};
+    const ordered_json conversion = {{"what", description.source},
+                                     {"from", job.input.inputSpace},
+                                     {"to", job.header.colorSpace}};
+    report["color"] = {{"config", job.input.colors.origin()},
+                       {"conversions", ordered_json::array({conversion})}};
     report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
+    report["grazing"] = nameOf(options.grazing);
     return report;
 }
 

@@ -119,7 +119,7 @@ OpenedInput openInput(const InputOptions& options) {
     OpenedInput input;
     input.missing = options.missing;
     input.warn = options.warn;
-    callBoth([&] { input.reader = openBtf(options.input); },
+    callBoth([&] { input.reader = openBtf(options.input, options.read); },
              [&] { input.colors = ColorConfig::load(options.colorConfig); });
     const BtfDescription& description = input.description();
     if (!description.duplicates.empty()) {

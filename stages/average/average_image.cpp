@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/average/average_image.h"
 
+#include "abrdf/random.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,16 +38,16 @@ bool isLight(const Rgb& c) {
     return isFinite(c) && !isNegative(c);
 }
 
-/// isLight() of all. Channel by channel and without a branch: compilers make vectors of that, and
+/// isFinite() of all. Channel by channel and without a branch: compilers make vectors of that, and
 /// every pixel of every image is asked.
-bool areLights(std::span<const Rgb> row) {
+bool areFinite(std::span<const Rgb> row) {
     static_assert(sizeof(Rgb) == 3 * sizeof(float));
     const float* channels = &row.front().r;
     constexpr float kMax = std::numeric_limits<float>::max();
     int others = 0;
     for (std::size_t i = 0; i < 3 * row.size(); ++i) {
-        const auto notNegative = static_cast<int>(channels[i] >= 0);
-        others += 1 - (notNegative & static_cast<int>(channels[i] <= kMax));
+        const auto aboveLeast = static_cast<int>(channels[i] >= -kMax);
+        others += 1 - (aboveLeast & static_cast<int>(channels[i] <= kMax));
     }
     return others == 0;
 }
@@ -81,7 +83,7 @@ class LinearRow {
     std::size_t size() const { return colors_.size(); }
     Sum at(std::size_t x) const {
         const Rgb& c = colors_[x];
-        return allValid_ || isLight(c) ? Sum{c.r, c.g, c.b, 1} : Sum{};
+        return allValid_ || isFinite(c) ? Sum{c.r, c.g, c.b, 1} : Sum{};
     }
     Sum over(std::size_t begin, std::size_t end) const {
         Sum sum;
@@ -113,9 +115,9 @@ class CodedRow {
     Sum over(std::size_t begin, std::size_t end) const {
         const std::uint8_t* code = codes_.data() + 3 * begin;
         return sumOf(end - begin, [&](std::size_t x, Sum& part) {
-            part.r += table_[0][code[3 * x]];
-            part.g += table_[1][code[3 * x + 1]];
-            part.b += table_[2][code[3 * x + 2]];
+            part.r += table_.curves[0][code[3 * x]];
+            part.g += table_.curves[1][code[3 * x + 1]];
+            part.b += table_.curves[2][code[3 * x + 2]];
         });
     }
 
@@ -145,11 +147,10 @@ void addRow(const Row& row, double rowShare, std::span<Sum> sums) {
     }
 }
 
-/// Adds an image row by row: addPixels(y, rowShare, sums of a row of texels) for each row of pixels
-/// and each row of texels that it has a share in.
+/// Sums of an image row by row: addPixels(y, rowShare, sums of a row of texels) for each row of
+/// pixels and each row of texels that it has a share in.
 template <typename AddPixels>
-void sumTexels(int imageHeight, int width, int height, std::span<Rgb> texels,
-               const AddPixels& addPixels) {
+std::vector<Sum> sumTexels(int imageHeight, int width, int height, const AddPixels& addPixels) {
     std::vector<Sum> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (int y = 0; y < imageHeight; ++y) {
         for (int texel = texelOfPixel(y, imageHeight, height); texel < height; ++texel) {
@@ -160,14 +161,7 @@ void sumTexels(int imageHeight, int width, int height, std::span<Rgb> texels,
                                               static_cast<std::size_t>(width)));
         }
     }
-    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        const Sum& s = sums[i];
-        texels[i] = s.weight > 0 ? Rgb{static_cast<float>(s.r / s.weight),
-                                       static_cast<float>(s.g / s.weight),
-                                       static_cast<float>(s.b / s.weight)}
-                                 : Rgb{kNaN, kNaN, kNaN};
-    }
+    return sums;
 }
 
 void checkTexels(int imageWidth, int imageHeight, int width, int height) {
@@ -177,23 +171,110 @@ void checkTexels(int imageWidth, int imageHeight, int width, int height) {
                     imageWidth, imageHeight));
 }
 
+double channel(const Rgb& c, std::size_t index) {
+    return static_cast<double>(index == 0 ? c.r : index == 1 ? c.g : c.b);
+}
+
+/// What `transform` would be if it were a curve a channel and then a matrix: column c is what full
+/// channel c alone becomes, its curve the share of that which each code has.
+CodeTable curvesAndMatrixOf(const ColorTransform& transform) {
+    CodeTable table;
+    table.matrix.emplace();
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<Rgb> ramp(256);
+        for (std::size_t code = 0; code < ramp.size(); ++code) {
+            const float value = static_cast<float>(code) / 255.0F;
+            ramp[code] = {c == 0 ? value : 0, c == 1 ? value : 0, c == 2 ? value : 0};
+        }
+        transform.apply(ramp);
+        double square = 0;
+        for (std::size_t out = 0; out < 3; ++out) {
+            (*table.matrix)[out][c] = channel(ramp[255], out);
+            square += channel(ramp[255], out) * channel(ramp[255], out);
+        }
+        for (std::size_t code = 0; code < ramp.size(); ++code) {
+            double dot = 0;
+            for (std::size_t out = 0; out < 3; ++out) {
+                dot += channel(ramp[code], out) * channel(ramp[255], out);
+            }
+            table.curves[c][code] = dot / square;
+        }
+    }
+    return table;
+}
+
+std::array<double, 3> product(const std::array<std::array<double, 3>, 3>& matrix,
+                              const std::array<double, 3>& v) {
+    std::array<double, 3> result{};
+    for (std::size_t out = 0; out < 3; ++out) {
+        result[out] = matrix[out][0] * v[0] + matrix[out][1] * v[1] + matrix[out][2] * v[2];
+    }
+    return result;
+}
+
+/// An average outside the working space is moved to its border.
+Rgb light(const std::array<double, 3>& mean) {
+    const auto atLeast0 = [](double v) { return static_cast<float>(std::max(0.0, v)); };
+    return {atLeast0(mean[0]), atLeast0(mean[1]), atLeast0(mean[2])};
+}
+
+/// table: of the codes that were summed, or null where light was.
+void meansOf(std::span<const Sum> sums, const CodeTable* table, std::span<Rgb> texels) {
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Sum& s = sums[i];
+        if (s.weight <= 0) {
+            texels[i] = {kNaN, kNaN, kNaN};
+            continue;
+        }
+        std::array<double, 3> mean = {s.r / s.weight, s.g / s.weight, s.b / s.weight};
+        if (table != nullptr && table->matrix) mean = product(*table->matrix, mean);
+        texels[i] = light(mean);
+    }
+}
+
+/// True where the table says what the transform does, to a float's rounding.
+bool explains(const CodeTable& table, const ColorTransform& transform) {
+    Random random(1);
+    for (int i = 0; i < 1024; ++i) {
+        const std::array<std::size_t, 3> codes = {random.below(256), random.below(256),
+                                                  random.below(256)};
+        std::array<double, 3> light{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            light[c] = table.curves[c][codes[c]];
+            if (!(light[c] >= 0)) return false;
+        }
+        const std::array<double, 3> found = product(*table.matrix, light);
+        Rgb wanted = {static_cast<float>(codes[0]) / 255.0F, static_cast<float>(codes[1]) / 255.0F,
+                      static_cast<float>(codes[2]) / 255.0F};
+        transform.apply({&wanted, 1});
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double off = std::abs(found[c] - channel(wanted, c));
+            if (!(off <= 2e-6 * (1 + std::abs(channel(wanted, c))))) return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 Linearizer::Linearizer(ColorTransform toSceneLinear) : transform_(std::move(toSceneLinear)) {
-    if (!transform_.isPerChannel()) return;
-    std::vector<Rgb> colors;
-    for (int code = 0; code < 256; ++code) {
-        const float grey = static_cast<float>(code) / 255.0F;
-        colors.push_back({grey, grey, grey});
+    if (transform_.isPerChannel()) {
+        std::vector<Rgb> colors;
+        for (int code = 0; code < 256; ++code) {
+            const float grey = static_cast<float>(code) / 255.0F;
+            colors.push_back({grey, grey, grey});
+        }
+        transform_.apply(colors);
+        if (!std::ranges::all_of(colors, isLight)) return;
+        table_ = std::make_shared<CodeTable>();
+        for (std::size_t code = 0; code < colors.size(); ++code) {
+            for (std::size_t c = 0; c < 3; ++c) table_->curves[c][code] = channel(colors[code], c);
+        }
+        return;
     }
-    transform_.apply(colors);
-    if (!areLights(colors)) return;
-    table_ = std::make_shared<CodeTable>();
-    for (std::size_t code = 0; code < colors.size(); ++code) {
-        (*table_)[0][code] = static_cast<double>(colors[code].r);
-        (*table_)[1][code] = static_cast<double>(colors[code].g);
-        (*table_)[2][code] = static_cast<double>(colors[code].b);
-    }
+    const CodeTable found = curvesAndMatrixOf(transform_);
+    if (explains(found, transform_)) table_ = std::make_shared<CodeTable>(found);
 }
 
 void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::span<Rgb> row) const {
@@ -225,31 +306,32 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
     const auto* codes = std::get_if<std::vector<std::uint8_t>>(&image.rgb);
     const CodeTable* table = codes != nullptr ? linearizer.table() : nullptr;
     if (table != nullptr) {
-        sumTexels(image.height, width, height, texels,
-                  [&](int y, double rowShare, std::span<Sum> row) {
-                      const std::size_t first = 3 * static_cast<std::size_t>(y) * columns;
-                      addRow(CodedRow(std::span(*codes).subspan(first, 3 * columns), *table),
-                             rowShare, row);
-                  });
+        const auto addCodes = [&](int y, double rowShare, std::span<Sum> row) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * columns;
+            addRow(CodedRow(std::span(*codes).subspan(first, 3 * columns), *table), rowShare, row);
+        };
+        meansOf(sumTexels(image.height, width, height, addCodes), table, texels);
         return 0;
     }
     std::vector<Rgb> colors(columns);
     std::size_t leftOut = 0;
     bool allValid = true;
     int linear = -1;  // The row that `colors` holds.
-    sumTexels(image.height, width, height, texels,
-              [&](int y, double rowShare, std::span<Sum> row) {
-                  if (y != linear) {
-                      linear = y;
-                      linearizer.linearize(image, static_cast<std::size_t>(y) * columns, colors);
-                      allValid = areLights(colors);
-                      if (!allValid) {
-                          leftOut += columns - static_cast<std::size_t>(
-                                                   std::ranges::count_if(colors, isLight));
-                      }
-                  }
-                  addRow(LinearRow(colors, allValid), rowShare, row);
-              });
+    const std::vector<Sum> sums =
+        sumTexels(image.height, width, height, [&](int y, double rowShare, std::span<Sum> row) {
+            if (y != linear) {
+                linear = y;
+                linearizer.linearize(image, static_cast<std::size_t>(y) * columns, colors);
+                // Bad pixels are NaN now; a negative channel is a colour outside the working space.
+                allValid = areFinite(colors);
+                if (!allValid) {
+                    leftOut +=
+                        columns - static_cast<std::size_t>(std::ranges::count_if(colors, isFinite));
+                }
+            }
+            addRow(LinearRow(colors, allValid), rowShare, row);
+        });
+    meansOf(sums, nullptr, texels);
     return leftOut;
 }
 
@@ -257,10 +339,11 @@ void averageColors(std::span<const Rgb> colors, int imageWidth, int imageHeight,
                    int height, std::span<Rgb> texels) {
     checkTexels(imageWidth, imageHeight, width, height);
     const auto columns = static_cast<std::size_t>(imageWidth);
-    sumTexels(imageHeight, width, height, texels, [&](int y, double rowShare, std::span<Sum> row) {
+    const auto addColors = [&](int y, double rowShare, std::span<Sum> row) {
         const auto pixels = colors.subspan(static_cast<std::size_t>(y) * columns, columns);
-        addRow(LinearRow(pixels, areLights(pixels)), rowShare, row);
-    });
+        addRow(LinearRow(pixels, areFinite(pixels)), rowShare, row);
+    };
+    meansOf(sumTexels(imageHeight, width, height, addColors), nullptr, texels);
 }
 
 }  // namespace abrdf
