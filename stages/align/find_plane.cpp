@@ -126,8 +126,9 @@ void removeMean(std::span<Rgb> image) {
     for (Rgb& c : image) c = c - mean;
 }
 
-double squaredLength(Rgb c) {
-    return static_cast<double>(c.r * c.r + c.g * c.g + c.b * c.b);
+/// Edges of shadows and yarns, which no plane explains, count less than in squares.
+double length1(Rgb c) {
+    return static_cast<double>(std::abs(c.r) + std::abs(c.g) + std::abs(c.b));
 }
 
 /// One resolution of the images.
@@ -147,7 +148,7 @@ class Level {
             removeMean(shifted.image(i));
         });
         std::vector<double> differences(directions.size());
-        std::vector<double> powers(directions.size());
+        std::vector<double> deviations(directions.size());
         forEachImage(directions.size(), [&](std::size_t i) {
             const auto own = std::as_const(shifted).image(i);
             for (std::size_t t = 0; t < own.size(); ++t) {
@@ -155,15 +156,15 @@ class Level {
                 for (const Neighbour& n : neighbours[i]) {
                     predicted += n.weight * std::as_const(shifted).image(n.image)[t];
                 }
-                const double difference = squaredLength(own[t] - predicted);
+                const double difference = length1(own[t] - predicted);
                 if (!std::isfinite(difference)) continue;
                 differences[i] += difference;
-                powers[i] += squaredLength(own[t]);
+                deviations[i] += length1(own[t]);
             }
         });
-        const double power = std::accumulate(powers.begin(), powers.end(), 0.0);
+        const double deviation = std::accumulate(deviations.begin(), deviations.end(), 0.0);
         const double sum = std::accumulate(differences.begin(), differences.end(), 0.0);
-        return power > 0 ? std::sqrt(sum / power) : 0;
+        return deviation > 0 ? sum / deviation : 0;
     }
 
   private:

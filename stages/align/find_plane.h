@@ -19,8 +19,8 @@ struct PlaneSearch {
 struct PlaneFit {
     double height = 0;  ///< In texels of the images searched; 0 where none is clearly better.
     double best = 0;    ///< The height of the least residual, accepted or not.
-    /// Residual there and at height 0: the root of the mean squared difference of each image from
-    /// what its neighbours in angle predict, over the deviation of the images.
+    /// Residual there and at height 0: the mean absolute difference of each image from what its
+    /// neighbours in angle predict, over the mean absolute deviation of the images; of cube roots.
     double residual = 0;
     double residualAtZero = 0;
 
