@@ -39,7 +39,7 @@ double deltaEOf(const std::vector<Rgb>& truth, const std::vector<Rgb>& abrdf) {
 
 ReconstructionTask taskFor(const std::vector<Rgb>& mean) {
     const SmallPrior& prior = smallPrior();
-    return {{}, prior.samples, prior.grid, prior.grid, mean, prior.model, {}};
+    return {{}, prior.samples, prior.grid, prior.grid, mean, {}, prior.model, {}};
 }
 
 /// The slow twin: the mixture of conditional means in double precision, term by term.
