@@ -85,8 +85,7 @@ void addPlaneOptions(CLI::App& command, PlaneOptions& options) {
         .add_option("--edges", options.edges,
                     "what lies beyond an image's edges: auto | periodic | cropped")
         ->capture_default_str();
-    command.add_flag("--unshift", options.unshift,
-                     "give results back in the database's own frame");
+    command.add_flag("--unshift", options.unshift, "give results back in the database's own frame");
 }
 
 PlaneChoice planeFrom(const PlaneOptions& options) {

@@ -3,6 +3,8 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "pipeline/evaluate_report.h"
+#include "pipeline/evaluate_sheet.h"
 #include "pipeline/unshifted_texels.h"
 #include "stages/measure/contact_sheet.h"
 #include "stages/measure/measures.h"
@@ -49,16 +51,12 @@ Reference readReference(const OpenedInput& input, Texels texels, const Plane& pl
     return reference;
 }
 
-/// Flags of the pairs to compare, repeated for each texel: measured ones, without `excluded`.
+/// Flags of the pairs to compare: measured ones, without `excluded`.
 std::vector<std::uint8_t> maskOf(const Reference& reference,
                                  const std::vector<std::size_t>& excluded) {
     std::vector<std::uint8_t> pairs = reference.present;
     for (const std::size_t pair : excluded) pairs[pair] = 0;
-    std::vector<std::uint8_t> mask;
-    for (std::size_t t = 0; t < reference.truth.texelCount(); ++t) {
-        mask.insert(mask.end(), pairs.begin(), pairs.end());
-    }
-    return mask;
+    return pairs;
 }
 
 /// Median of warm repetitions on one core, in microseconds: of as many texels as the method likes
@@ -80,34 +78,6 @@ double microsecondsPerAbrdf(const Reconstructor& reconstructor, const AbrdfTile&
     }
     std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
     return times[times.size() / 2];
-}
-
-ordered_json jsonOf(const Measures& m) {
-    return {
-        {"delta_e", m.deltaE}, {"delta_e_2000", m.deltaE2000}, {"rmse", m.rmse}, {"psnr", m.psnr}};
-}
-
-ordered_json jsonOf(const Accuracy& accuracy) {
-    ordered_json json = jsonOf(accuracy.natural);
-    json["stops"] = accuracy.stops;
-    json["highlight"] = jsonOf(accuracy.highlight);
-    json["pairs"] = accuracy.pairs;
-    return json;
-}
-
-/// Mean over all texels, pair by pair: what the sheet shows.
-std::vector<Rgb> meanAbrdf(const AbrdfTile& tile) {
-    std::vector<Rgb> mean(tile.valuesPerTexel());
-    std::vector<float> counts(mean.size());
-    for (std::size_t t = 0; t < tile.texelCount(); ++t) {
-        for (std::size_t pair = 0; pair < mean.size(); ++pair) {
-            if (!isFinite(tile[t][pair])) continue;
-            mean[pair] += tile[t][pair];
-            ++counts[pair];
-        }
-    }
-    for (std::size_t pair = 0; pair < mean.size(); ++pair) mean[pair] *= 1 / counts[pair];
-    return mean;
 }
 
 /// What a method makes of one input.
@@ -138,8 +108,7 @@ Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input,
                   .rows(0, texels.height)
                   .abrdfs
             : all(0, texels.height).abrdfs;
-    const ColorTransform toRec709 =
-        input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)");
+    const ColorTransform toRec709 = input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)");
     forEachTexelBlock(result.abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {
         toRec709.apply(result.abrdfs[texel]);
     });
@@ -150,40 +119,72 @@ Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input,
 }
 
 ordered_json measured(const Reconstruction& reconstruction, const Reference& reference,
-                      const OpenedInput& input, const EvaluateOptions& options) {
+                      const OpenedInput& input, Texels texels, const EvaluateOptions& options) {
     const PlannedMethod& planned = reconstruction.planned;
     const SampleSet& samples = planned.samples;
     // A table's samples lie off its grid.
     const bool isOffGrid =
         input.reader->table() != nullptr && planned.method->wish != SampleWish::kEverything;
-    const MeasureOptions measure{options.exposure};
-    const auto accuracy = [&](const std::vector<std::size_t>& excluded) {
-        return measureAccuracy(reference.truth.values(), reconstruction.abrdfs.values(),
-                               maskOf(reference, excluded), measure);
-    };
+    const std::vector<std::vector<std::uint8_t>> masks = {
+        maskOf(reference, {}),
+        maskOf(reference, isOffGrid ? std::vector<std::size_t>{} : samples.pairs)};
+    const std::vector<TexelMeasures> measures = measureTexels(
+        reference.truth, reconstruction.abrdfs, masks, MeasureOptions{options.exposure});
+    std::vector<ordered_json> json;
+    for (std::size_t m = 0; m < masks.size(); ++m) {
+        json.push_back(jsonOf(measures[m].accuracy));
+        if (texels.width * texels.height == 1) continue;
+        const SeenOptions seen{.exposure = options.exposure,
+                               .isPeriodic = reconstruction.found.plane.edges == Edges::kPeriodic};
+        json.back()["texels"] =
+            jsonOf(measures[m], measureSeenImages(reference.truth, reconstruction.abrdfs,
+                                                  texels.width, texels.height, masks[m], seen));
+    }
     ordered_json result;
     result["method"] = planned.method->name;
     result["plan"] = planned.planName();
     result["samples"] = samples.count();
     result["images_read"] = samples.pairs.size();
-    result.update(jsonOf(accuracy({})));
-    result["unsampled"] = jsonOf(accuracy(isOffGrid ? std::vector<std::size_t>{} : samples.pairs));
+    result.update(json[0]);
+    result["unsampled"] = json[1];
     result["plane"] = jsonOf(reconstruction.found, input.description().grid);
     result["microseconds_per_abrdf"] = reconstruction.microsecondsPerAbrdf;
     result["multiply_adds"] = reconstruction.multiplyAdds;
     return result;
 }
 
-SheetRow sheetRowOf(const ordered_json& result, const AbrdfTile& abrdfs) {
-    return {fmt::format("{}, plan {}, {} samples", result["method"].get<std::string>(),
-                        result["plan"].get<std::string>(), result["samples"].get<std::size_t>()),
-            fmt::format("Delta E {:.2f}   PSNR {:.1f} dB   {} images",
-                        result["delta_e"].get<double>(), result["psnr"].get<double>(),
-                        result["images_read"].get<std::size_t>()),
-            meanAbrdf(abrdfs)};
+/// Measurement and reconstruction at the measured pairs nearest to those that were asked for.
+std::vector<SheetImage> sheetImages(const Reconstruction& reconstruction,
+                                    const Reference& reference, const AngularGrid& grid,
+                                    const std::vector<LightAndView>& wanted) {
+    const std::vector<std::size_t>& sampled = reconstruction.planned.samples.pairs;
+    std::vector<SheetImage> images;
+    for (const LightAndView& place : wanted) {
+        std::size_t best = 0;
+        for (std::size_t pair = 0; pair < grid.pairCount(); ++pair) {
+            if (reference.present[pair] != 0 &&
+                squaredDistance(grid.pair(pair), place) < squaredDistance(grid.pair(best), place)) {
+                best = pair;
+            }
+        }
+        const bool isSampled = std::ranges::binary_search(sampled, best);
+        images.push_back({fmt::format("{}, {}", pairName(grid.pair(best)),
+                                      isSampled ? "a sample" : "not sampled"),
+                          imageOf(reference.truth, best), imageOf(reconstruction.abrdfs, best)});
+    }
+    return images;
 }
 
 }  // namespace
+
+std::vector<LightAndView> defaultImagePairs() {
+    const auto direction = [](double theta, double phi) {
+        return Direction{radiansFromDegrees(theta), radiansFromDegrees(phi)};
+    };
+    return {{direction(30, 90), direction(0, 0)},
+            {direction(45, 0), direction(45, 160)},
+            {direction(30, 210), direction(75, 30)}};
+}
 
 ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progress) {
     if (!(options.exposure > 0)) throw std::invalid_argument("the exposure must be above 0");
@@ -201,6 +202,8 @@ ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progre
     sheet.lights = grid.lights().size();
     sheet.views = grid.views().size();
     sheet.exposure = options.exposure;
+    sheet.imageWidth = texels.width;
+    sheet.imageHeight = texels.height;
 
     ordered_json report;
     report["command"] = "evaluate";
@@ -223,33 +226,13 @@ ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progre
             reference = readReference(input, texels, frame, progress);
             if (sheet.measurement.empty()) sheet.measurement = meanAbrdf(reference.truth);
         }
-        report["results"].push_back(measured(reconstruction, reference, input, options));
+        report["results"].push_back(measured(reconstruction, reference, input, texels, options));
         sheet.rows.push_back(sheetRowOf(report["results"].back(), reconstruction.abrdfs));
+        if (options.sheet.empty() || reference.truth.texelCount() == 1) continue;
+        sheet.rows.back().images = sheetImages(reconstruction, reference, grid, options.imagePairs);
     }
     if (!options.sheet.empty()) writeContactSheet(options.sheet, sheet);
     return report;
-}
-
-std::string tableOf(const ordered_json& report) {
-    std::string table = fmt::format("{}: {} pairs\n", report["input"].get<std::string>(),
-                                    report["pairs"].get<std::size_t>());
-    table += fmt::format("{:<12}{:<9}{:>8}{:>8} |{:>8}{:>8}{:>8}{:>8} |{:>8}{:>8} |{:>7}{:>12}\n",
-                         "method", "plan", "samples", "images", "dE76", "dE2000", "RMSE", "PSNR",
-                         "hi dE76", "hi PSNR", "stops", "us/ABRDF");
-    for (const ordered_json& r : report["results"]) {
-        const auto number = [](const ordered_json& from, const char* key) {
-            return from[key].get<double>();
-        };
-        table += fmt::format(
-            "{:<12}{:<9}{:>8}{:>8} |{:>8.2f}{:>8.2f}{:>8.2f}{:>8.1f} |{:>8.2f}{:>8.1f} "
-            "|{:>7.2f}{:>12.1f}\n",
-            r["method"].get<std::string>(), r["plan"].get<std::string>(),
-            r["samples"].get<std::size_t>(), r["images_read"].get<std::size_t>(),
-            number(r, "delta_e"), number(r, "delta_e_2000"), number(r, "rmse"), number(r, "psnr"),
-            number(r["highlight"], "delta_e"), number(r["highlight"], "psnr"), number(r, "stops"),
-            number(r, "microseconds_per_abrdf"));
-    }
-    return table;
 }
 
 }  // namespace abrdf

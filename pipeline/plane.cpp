@@ -80,8 +80,7 @@ FoundPlane planeOf(const PlannedMethod& planned, const PlaneChoice& choice,
     if (choice.search || (choice.height != 0 && !choice.edges)) {
         search(found, choice, input, planned.samples, progress);
     }
-    found.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return found;
 }
 

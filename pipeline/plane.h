@@ -13,10 +13,10 @@ namespace abrdf {
 
 /// Where a material's visible surface is taken to lie.
 struct PlaneChoice {
-    bool search = true;           ///< Find it in the images; else `height` holds.
-    double height = 0;            ///< In texels of the database's images.
-    std::optional<Edges> edges;   ///< Nothing: told from the images.
-    bool unshift = false;         ///< Give results back in the database's own frame.
+    bool search = true;          ///< Find it in the images; else `height` holds.
+    double height = 0;           ///< In texels of the database's images.
+    std::optional<Edges> edges;  ///< Nothing: told from the images.
+    bool unshift = false;        ///< Give results back in the database's own frame.
 };
 
 /// "auto", "off" or a height. Throws std::invalid_argument.

@@ -91,9 +91,9 @@ std::vector<Rgb> samplesOfSomeTexels(const ImageStack& stack, const SampleSet& s
     };
     std::vector<Rgb> result;
     for (std::size_t i = 0; i < std::min(kSomeTexels, stack.texelCount()); ++i) {
-        const std::size_t texel = place(i, kStepY, stack.height()) *
-                                      static_cast<std::size_t>(stack.width()) +
-                                  place(i, kStepX, stack.width());
+        const std::size_t texel =
+            place(i, kStepY, stack.height()) * static_cast<std::size_t>(stack.width()) +
+            place(i, kStepX, stack.width());
         const SlicedTexels sliced = sliceTexels(stack, samples, texel, 1);
         result.insert(result.end(), sliced.samples[0].begin(), sliced.samples[0].end());
     }

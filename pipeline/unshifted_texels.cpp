@@ -47,7 +47,8 @@ ReconstructedTexels UnshiftedTexels::rows(int first, int count) {
         result.nonfinite += more.nonfinite;
         const std::size_t values = width * grid_.pairCount();
         for (int y = begin; y < end; ++y) {
-            AbrdfTile& tile = aligned_.emplace(y, AbrdfTile(width, grid_.pairCount())).first->second;
+            AbrdfTile& tile =
+                aligned_.emplace(y, AbrdfTile(width, grid_.pairCount())).first->second;
             std::ranges::copy(
                 more.abrdfs.values().subspan(static_cast<std::size_t>(y - begin) * values, values),
                 tile.values().begin());
