@@ -24,7 +24,7 @@ struct SheetRow {
     std::string title;    ///< "published, poster, 204 samples"
     std::string caption;  ///< "Delta E 7.9   PSNR 20.4 dB"
     std::vector<Rgb> reconstruction;
-    std::vector<SheetImage> images;  ///< Shown below it; as many in each row.
+    std::vector<SheetImage> images = {};  ///< Shown below it; as many in each row.
 };
 
 struct ContactSheet {
