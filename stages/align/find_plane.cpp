@@ -2,6 +2,7 @@
 #include "stages/align/find_plane.h"
 
 #include "abrdf/for_each_texel.h"
+#include "stages/align/search_images.h"
 
 #include <algorithm>
 #include <array>
@@ -34,8 +35,7 @@ Neighbours neighboursOf(const std::vector<LightAndView>& directions) {
     for (std::size_t i = 0; i < directions.size(); ++i) {
         std::vector<std::pair<double, std::size_t>> others;
         for (std::size_t j = 0; j < directions.size(); ++j) {
-            if (j != i)
-                others.emplace_back(squaredDistance(directions[i], directions[j]), j);
+            if (j != i) others.emplace_back(squaredDistance(directions[i], directions[j]), j);
         }
         std::ranges::partial_sort(others, others.begin() + kNeighbours);
         others.resize(kNeighbours);
@@ -47,67 +47,6 @@ Neighbours neighboursOf(const std::vector<LightAndView>& directions) {
         }
     }
     return result;
-}
-
-std::size_t at(int x, int y, int width) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x);
-}
-
-/// Cube roots: differences count about as they are seen, and highlights do not outweigh the rest.
-ImageStack cubeRoots(const ImageStack& images) {
-    ImageStack roots(images.pairs(), images.width(), images.height());
-    forEachImage(images.pairs().size(), [&](std::size_t i) {
-        std::ranges::transform(images.image(i), roots.image(i).begin(), [](Rgb c) {
-            return Rgb{std::cbrt(c.r), std::cbrt(c.g), std::cbrt(c.b)};
-        });
-    });
-    return roots;
-}
-
-/// Half the size: the mean of two by two texels.
-ImageStack halved(const ImageStack& images) {
-    ImageStack half(images.pairs(), images.width() / 2, images.height() / 2);
-    const int w = images.width();
-    forEachImage(images.pairs().size(), [&](std::size_t i) {
-        const auto from = std::as_const(images).image(i);
-        for (int y = 0; y < half.height(); ++y) {
-            for (int x = 0; x < half.width(); ++x) {
-                half.image(i)[at(x, y, half.width())] =
-                    0.25F * (from[at(2 * x, 2 * y, w)] + from[at(2 * x + 1, 2 * y, w)] +
-                             from[at(2 * x, 2 * y + 1, w)] + from[at(2 * x + 1, 2 * y + 1, w)]);
-            }
-        }
-    });
-    return half;
-}
-
-/// Blurred by (1 2 1) / 4 each way, so that the blur of a shift between texels hardly counts.
-ImageStack smoothed(const ImageStack& images, Edges edges) {
-    ImageStack smooth(images.pairs(), images.width(), images.height());
-    const int w = images.width();
-    const int h = images.height();
-    const auto index = [&](int i, int n) {
-        return edges == Edges::kPeriodic ? (i + n) % n : std::clamp(i, 0, n - 1);
-    };
-    forEachImage(images.pairs().size(), [&](std::size_t i) {
-        const auto from = std::as_const(images).image(i);
-        std::vector<Rgb> rows(from.size());
-        for (int y = 0; y < h; ++y) {
-            for (int x = 0; x < w; ++x) {
-                rows[at(x, y, w)] = 0.25F * (from[at(index(x - 1, w), y, w)] +
-                                             2 * from[at(x, y, w)] + from[at(index(x + 1, w), y, w)]);
-            }
-        }
-        for (int y = 0; y < h; ++y) {
-            for (int x = 0; x < w; ++x) {
-                smooth.image(i)[at(x, y, w)] =
-                    0.25F * (rows[at(x, index(y - 1, h), w)] + 2 * rows[at(x, y, w)] +
-                             rows[at(x, index(y + 1, h), w)]);
-            }
-        }
-    });
-    return smooth;
 }
 
 void removeMean(std::span<Rgb> image) {
@@ -235,8 +174,7 @@ Candidate refined(double start, const Residual& residual) {
             valley.pop_back();
         }
     }
-    const double height =
-        start + kStep * vertex(std::vector<double>(valley.begin(), valley.end()));
+    const double height = start + kStep * vertex(std::vector<double>(valley.begin(), valley.end()));
     return {height, residual(height)};
 }
 

@@ -12,7 +12,7 @@ struct PlaneSearch {
     Edges edges = Edges::kPeriodic;
     /// The residual must fall at least by this share of that at height 0: relief about the plane
     /// z = 0 favours small heights a little. 0 .. 1.
-    double leastDrop = 0.15;
+    double leastDrop = 0.1;
 };
 
 /// The plane z = height in which images of different views agree best.

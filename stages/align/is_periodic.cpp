@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stages/align/find_plane.h"
-
 #include "abrdf/for_each_texel.h"
+#include "stages/align/find_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +65,7 @@ bool isPeriodic(const ImageStack& images) {
     std::vector<OfImage> each(images.pairs().size());
     forEachImage(each.size(), [&](std::size_t i) {
         const auto image = images.image(i);
-        each[i] = {stepsOf(image, w, 1, h, w), stepsOf(image, h, w, w, 1),
-                   squaredDeviation(image)};
+        each[i] = {stepsOf(image, w, 1, h, w), stepsOf(image, h, w, w, 1), squaredDeviation(image)};
     });
     OfImage sums{std::vector<double>(w), std::vector<double>(h), 0};
     for (const OfImage& image : each) {

@@ -14,8 +14,8 @@ namespace {
 std::vector<Between> rowsOf(const AppliedShifts& applied, int y) {
     std::vector<Between> rows;
     for (const Shift& shift : applied.ofView) {
-        rows.push_back(shiftedPlaces(applied.height, -shift.y,
-                                     applied.edges)[static_cast<std::size_t>(y)]);
+        rows.push_back(
+            shiftedPlaces(applied.height, -shift.y, applied.edges)[static_cast<std::size_t>(y)]);
     }
     return rows;
 }
