@@ -87,6 +87,7 @@ void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     header.insert("abrdf:maxMeasuredTheta",
                   Imf::FloatAttribute(static_cast<float>(atlas.maxMeasuredTheta)));
     header.insert("abrdf:plane", Imf::FloatAttribute(static_cast<float>(atlas.plane)));
+    header.insert("abrdf:margin", IntAttribute(atlas.margin));
     header.insert("abrdf:outside", IntAttribute(headerCount(atlas.counts.outside)));
     header.insert("abrdf:clamped", IntAttribute(headerCount(atlas.counts.clamped)));
     header.insert("abrdf:extrapolated", IntAttribute(headerCount(atlas.counts.extrapolated)));
@@ -137,9 +138,12 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
     atlas.source = text("abrdf:source");
     atlas.maxMeasuredTheta =
         static_cast<double>(valueOf<Imf::FloatAttribute>(header, "abrdf:maxMeasuredTheta", file));
-    // Atlases of an early day lack these two.
+    // Atlases of an early day lack these three.
     if (const auto* plane = header.findTypedAttribute<Imf::FloatAttribute>("abrdf:plane")) {
         atlas.plane = static_cast<double>(plane->value());
+    }
+    if (const auto* margin = header.findTypedAttribute<Imf::IntAttribute>("abrdf:margin")) {
+        atlas.margin = std::max(0, margin->value());
     }
     if (const auto* outside = header.findTypedAttribute<Imf::IntAttribute>("abrdf:outside")) {
         atlas.counts.outside = static_cast<std::uint64_t>(std::max(0, outside->value()));

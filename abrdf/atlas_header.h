@@ -37,6 +37,7 @@ struct AtlasHeader {
     /// A texel shows one place of the plane z = plane in all views, in texels of the database's
     /// images; 0: as the database was rectified.
     double plane = 0;
+    int margin = 0;  ///< Texels from an edge within which shifted images lack some; 0: none does.
     ValueCounts counts;
     std::string colorSpace;  ///< OpenColorIO name.
     std::string interopId;   ///< Color Interop Forum id, "unknown" where the space is none of ours.

@@ -49,6 +49,10 @@ void warnOfCounts(const nlohmann::ordered_json& counts) {
     if (counts["missing"] != 0) {
         spdlog::warn("{} missing images were interpolated", counts["missing"].dump());
     }
+    if (counts["outside"] != 0) {
+        spdlog::warn("{} pixels of the surface's plane lie outside their cropped image",
+                     counts["outside"].dump());
+    }
     if (counts["clamped"] != 0) {
         spdlog::info("{} values were cut to the range that light can have",
                      counts["clamped"].dump());

@@ -234,6 +234,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         readStack(job.input, job.samples(), job.texels, job.found.plane, progress);
     job.header.counts.nonfinite = read.leftOut;
     job.header.plane = options.plane.unshift ? 0 : job.found.plane.height;
+    job.header.margin = marginOf(job.found.plane, job.input.description(), job.texels);
     job.header.counts.outside = read.outside;
     const double readSeconds = secondsSince(start);
 

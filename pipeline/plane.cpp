@@ -94,6 +94,12 @@ int marginOf(const Plane& plane, const AngularGrid& grid) {
     return static_cast<int>(std::ceil(farthest - 1e-6));
 }
 
+int marginOf(const Plane& plane, const BtfDescription& description, Texels texels) {
+    const double pixels = std::min(static_cast<double>(description.width) / texels.width,
+                                   static_cast<double>(description.height) / texels.height);
+    return static_cast<int>(std::ceil(marginOf(plane, description.grid) / pixels));
+}
+
 nlohmann::ordered_json jsonOf(const FoundPlane& found, const AngularGrid& grid) {
     const Plane& plane = found.plane;
     nlohmann::ordered_json json = {

@@ -42,6 +42,9 @@ FoundPlane planeOf(const PlannedMethod& planned, const PlaneChoice& choice,
 /// in texels of the database's images; 0 where edges join.
 int marginOf(const Plane& plane, const AngularGrid& grid);
 
+/// The same in texels of a job.
+int marginOf(const Plane& plane, const BtfDescription& description, Texels texels);
+
 /// For reports.
 nlohmann::ordered_json jsonOf(const FoundPlane& found, const AngularGrid& grid);
 

@@ -133,15 +133,17 @@ std::vector<Candidate> lowestMinima(const std::vector<Candidate>& heights) {
 /// Where the parabola through residuals at even steps, as many on either side of the middle one, is
 /// least, in steps from there; 0 where it has no minimum among them.
 double vertex(std::span<const double> residuals) {
-    const auto half = static_cast<double>(residuals.size() / 2);
+    const std::size_t middle = residuals.size() / 2;
+    const auto half = static_cast<double>(middle);
     double slope = 0;
     double curvature = 0;
     double squares = 0;
     double spread = 0;  // Of the squares of places, about their mean.
-    for (double x = -half; x <= half; ++x) squares += x * x;
+    const auto placeOf = [&](std::size_t i) { return static_cast<double>(i) - half; };
+    for (std::size_t i = 0; i < residuals.size(); ++i) squares += placeOf(i) * placeOf(i);
     const double meanSquare = squares / static_cast<double>(residuals.size());
     for (std::size_t i = 0; i < residuals.size(); ++i) {
-        const double x = static_cast<double>(i) - half;
+        const double x = placeOf(i);
         slope += x * residuals[i] / squares;
         curvature += (x * x - meanSquare) * residuals[i];
         spread += (x * x - meanSquare) * (x * x - meanSquare);
@@ -202,7 +204,8 @@ PlaneFit findPlane(const ImageStack& images, const std::vector<LightAndView>& di
                         (search.edges == Edges::kPeriodic ? 0.5 : 0.25) /
                         -parallax(1, {steepest, 0}).x;
     std::vector<Candidate> heights;
-    for (double step = -std::floor(most / kStep); step <= most / kStep; ++step) {
+    const auto steps = static_cast<int>(most / kStep);
+    for (int step = -steps; step <= steps; ++step) {
         heights.push_back({step * kStep, residualAt(levels.back())(step * kStep)});
     }
     std::optional<Candidate> best;

@@ -49,7 +49,7 @@ class ChromaKriging {
         Shape shape = kExponential;
         double vectorShare = 0;  ///< Weight of the kernel over unit vectors beside it.
         double noise = 0;
-        Eigen::MatrixXd inverse;  ///< Of the samples' covariance.
+        Eigen::MatrixXd inverse;                    ///< Of the samples' covariance.
         std::vector<Eigen::MatrixX3d> leaveOneOut;  ///< One a texel.
         double error = 0;
     };

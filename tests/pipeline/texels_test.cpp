@@ -115,6 +115,7 @@ TEST_CASE("texels whose place leaves a cropped image are counted") {
     const auto report = convert(options, {});
     CHECK(report["counts"]["outside"].get<int>() > 0);
     CHECK(report["plane"]["margin"] == 2);
+    CHECK(readAtlas(options.output).header().margin == 2);
     CHECK(readAtlas(options.output).header().counts.outside ==
           report["counts"]["outside"].get<std::uint64_t>());
 }
