@@ -4,6 +4,7 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "color/known_space.h"
+#include "pipeline/unshifted_texels.h"
 #include "stages/pack/pack_texels.h"
 #include "stages/slice/slice_texels.h"
 
@@ -29,6 +30,7 @@ double secondsSince(Clock::time_point start) {
 struct Job {
     OpenedInput input;
     PlannedMethod planned;
+    FoundPlane found;
     AngularGrid grid;
     GrazingMap grazing;  ///< From the elevations that are measured to the grid's.
     Texels texels;
@@ -108,6 +110,19 @@ struct Written {
     bool fits = true;  ///< False: a value is too large for half, and nothing was written.
 };
 
+/// All pairs of the grid, of `count` rows of aligned texels.
+ReconstructedTexels reconstructRows(const Job& job, const ImageStack& stack,
+                                    const Reconstructor& reconstructor, int first, int count) {
+    const auto width = static_cast<std::size_t>(job.texels.width);
+    const SlicedTexels sliced =
+        sliceTexels(stack, job.samples(), static_cast<std::size_t>(first) * width,
+                    static_cast<std::size_t>(count) * width);
+    ReconstructedTexels texels =
+        reconstructTexels(sliced.samples, job.grazing.inner(), reconstructor);
+    if (!job.grazing.isIdentity()) texels.abrdfs = job.grazing.apply(texels.abrdfs);
+    return texels;
+}
+
 /// Reconstructs, packs and writes all texels, block by block.
 Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor& reconstructor,
                    const ConvertOptions& options, PixelType type, const ProgressSink& progress) {
@@ -118,16 +133,18 @@ Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor&
     Written written;
     written.counts = job.header.counts;
     const int rows = rowsAtOnce(job, writer.tileHeight());
+    const auto reconstructed = [&](int first, int count) {
+        return reconstructRows(job, stack, reconstructor, first, count);
+    };
+    UnshiftedTexels unshifted(job.found.plane, job.input.description(), job.texels, job.grid,
+                              reconstructed);
+    const bool unshift = options.plane.unshift && job.found.plane.height != 0;
     for (int row = 0; row < layout.texelsHigh; row += rows) {
         const int count = std::min(rows, layout.texelsHigh - row);
         const auto width = static_cast<std::size_t>(layout.texelsWide);
         const auto start = Clock::now();
-        const SlicedTexels sliced =
-            sliceTexels(stack, job.samples(), static_cast<std::size_t>(row) * width,
-                        static_cast<std::size_t>(count) * width);
         ReconstructedTexels texels =
-            reconstructTexels(sliced.samples, job.grazing.inner(), reconstructor);
-        if (!job.grazing.isIdentity()) texels.abrdfs = job.grazing.apply(texels.abrdfs);
+            unshift ? unshifted.rows(row, count) : reconstructed(row, count);
         written.reconstructSeconds += secondsSince(start);
         finishTexels(texels.abrdfs, job.grid, pack);
         written.counts.clamped += texels.clamped;
@@ -212,8 +229,13 @@ ordered_json planConvert(const ConvertOptions& options) {
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
     const auto start = Clock::now();
     Job job = prepare(options, progress);
-    const ReadStack read = readStack(job.input, job.samples(), job.texels, progress);
+    job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
+    const ReadStack read =
+        readStack(job.input, job.samples(), job.texels, job.found.plane, progress);
     job.header.counts.nonfinite = read.leftOut;
+    job.header.plane = options.plane.unshift ? 0 : job.found.plane.height;
+    job.header.margin = marginOf(job.found.plane, job.input.description(), job.texels);
+    job.header.counts.outside = read.outside;
     const double readSeconds = secondsSince(start);
 
     const auto reconstructor =
@@ -225,12 +247,15 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
     }
     ordered_json report = reportOf(job, options);
+    report["plane"] = jsonOf(job.found, job.input.description().grid);
     report["counts"] = {{"clamped", written.counts.clamped},
                         {"extrapolated", written.counts.extrapolated},
                         {"nonfinite", written.counts.nonfinite},
-                        {"missing", written.counts.missing}};
+                        {"missing", written.counts.missing},
+                        {"outside", written.counts.outside}};
     const double total = secondsSince(start);
     report["time"] = {{"read", readSeconds},
+                      {"align", job.found.seconds},
                       {"reconstruct", written.reconstructSeconds},
                       {"write", total - readSeconds - written.reconstructSeconds},
                       {"total", total}};

@@ -57,10 +57,31 @@ void checkElevations(const SlicePlan& plan, const OpenedInput& input) {
     check(input.description().grid.views(), "view");
 }
 
+struct AveragedImage {
+    std::uint64_t leftOut = 0;  ///< As averageImage().
+    std::uint64_t outside = 0;  ///< As shiftImage().
+};
+
+/// Linear texels of an image that is shifted at its own resolution first.
+AveragedImage averageShifted(const EncodedImage& image, const Linearizer& linearizer, Shift shift,
+                             Edges edges, Texels texels, std::span<Rgb> result) {
+    if (shift.x == 0 && shift.y == 0) {
+        return {averageImage(image, linearizer, texels.width, texels.height, result), 0};
+    }
+    std::vector<Rgb> pixels(static_cast<std::size_t>(image.width) *
+                            static_cast<std::size_t>(image.height));
+    std::vector<Rgb> shifted(pixels.size());
+    AveragedImage averaged;
+    averaged.leftOut = averageImage(image, linearizer, image.width, image.height, pixels);
+    averaged.outside = shiftImage(pixels, image.width, image.height, shift, edges, shifted);
+    averageColors(shifted, image.width, image.height, texels.width, texels.height, result);
+    return averaged;
+}
+
 /// One "image" of one texel for each sample; values that are no light become NaN, and are counted.
 ReadStack evaluateTable(const BrdfTable& table, const SampleSet& samples,
                         const ColorTransform& toSceneLinear) {
-    ReadStack result{ImageStack(samples.pairs, 1, 1), 0};
+    ReadStack result{ImageStack(samples.pairs, 1, 1), 0, 0};
     std::atomic<std::uint64_t> leftOut = 0;
     forEachTexel(samples.count(), [&](std::size_t i) {
         Rgb value = table.evaluate(samples.directions[i]);
@@ -157,22 +178,28 @@ SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedI
 }
 
 ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
-                    const ProgressSink& progress) {
+                    const Plane& plane, const ProgressSink& progress) {
     const ColorTransform toSceneLinear = input.colors.transform(input.inputSpace, "scene_linear");
     if (const BrdfTable* table = input.reader->table()) {
         return evaluateTable(*table, samples, toSceneLinear);
     }
     const std::vector<std::size_t>& pairs = samples.pairs;
     const Linearizer linearizer(toSceneLinear);
-    ReadStack result{ImageStack(pairs, texels.width, texels.height), 0};
+    ReadStack result{ImageStack(pairs, texels.width, texels.height), 0, 0};
     std::atomic<std::uint64_t> leftOut = 0;
+    std::atomic<std::uint64_t> outside = 0;
     std::atomic<std::size_t> done = 0;
     forEachImage(pairs.size(), [&](std::size_t i) {
-        leftOut += averageImage(input.reader->read(pairs[i]), linearizer, texels.width,
-                                texels.height, result.stack.image(i));
+        const Shift shift = parallax(plane.height, input.description().grid.pair(pairs[i]).view);
+        const AveragedImage averaged =
+            averageShifted(input.reader->read(pairs[i]), linearizer, shift, plane.edges, texels,
+                           result.stack.image(i));
+        leftOut += averaged.leftOut;
+        outside += averaged.outside;
         if (progress) progress({"read", "images", ++done, pairs.size()});
     });
     result.leftOut = leftOut;
+    result.outside = outside;
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "abrdf/sample_plan.h"
 #include "abrdf/sample_set.h"
 #include "color/color_config.h"
+#include "stages/align/shift_image.h"
 #include "stages/read/btf_reader.h"
 #include "stages/reconstruct/reconstructor.h"
 
@@ -71,15 +72,23 @@ SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedI
 const AngularGrid& sampledGrid(const Method& method, const OpenedInput& input,
                                const AngularGrid& output);
 
+/// The surface's plane z = height that images are shifted to, so that a texel shows one place of
+/// the surface in all views.
+struct Plane {
+    double height = 0;  ///< In texels of the database's images; 0: images stay as they are.
+    Edges edges = Edges::kPeriodic;
+};
+
 struct ReadStack {
     ImageStack stack;
     std::uint64_t leftOut = 0;  ///< Pixels that were NaN, infinite or negative.
+    std::uint64_t outside = 0;  ///< Pixels of the plane that lie outside their image: NaN.
 };
 
-/// Reads, linearises and averages the images of samples.pairs in parallel, and opens no other
-/// image; a table is evaluated instead, one "image" a sample.
+/// Reads, linearises, shifts and averages the images of samples.pairs in parallel, and opens no
+/// other image; a table is evaluated instead, one "image" a sample.
 ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
-                    const ProgressSink& progress);
+                    const Plane& plane, const ProgressSink& progress);
 
 /// "tl030 pl090 tv015 pv060": a pair as the databases write it.
 std::string pairName(const LightAndView& pair);

@@ -6,6 +6,7 @@
 #include "stages/slice/slice_texels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace abrdf {
@@ -14,6 +15,9 @@ namespace {
 
 constexpr double kNoiseOfCodes = 0.01;
 constexpr double kSaturatedCodes = 0.99;
+
+/// More do not change a choice.
+constexpr std::size_t kSomeTexels = 64;
 
 /// The mean of an image's valid texels; NaN where there is none.
 Rgb meanOf(std::span<const Rgb> image) {
@@ -75,6 +79,27 @@ std::vector<Rgb> meanSamples(const ImageStack& stack, const SampleSet& samples) 
     return {sliced.samples[0].begin(), sliced.samples[0].end()};
 }
 
+std::vector<Rgb> samplesOfSomeTexels(const ImageStack& stack, const SampleSet& samples) {
+    if (stack.texelCount() == 1) return {};
+    // The additive sequence of the plastic number: as many as there are, evenly spread, in step
+    // with no weave.
+    constexpr double kStepX = 0.7548776662466927;
+    constexpr double kStepY = 0.5698402909980532;
+    const auto place = [](std::size_t i, double step, int count) {
+        const double share = 0.5 + static_cast<double>(i) * step;
+        return static_cast<std::size_t>((share - std::floor(share)) * count);
+    };
+    std::vector<Rgb> result;
+    for (std::size_t i = 0; i < std::min(kSomeTexels, stack.texelCount()); ++i) {
+        const std::size_t texel =
+            place(i, kStepY, stack.height()) * static_cast<std::size_t>(stack.width()) +
+            place(i, kStepX, stack.width());
+        const SlicedTexels sliced = sliceTexels(stack, samples, texel, 1);
+        result.insert(result.end(), sliced.samples[0].begin(), sliced.samples[0].end());
+    }
+    return result;
+}
+
 std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
                                                   const PlannedMethod& planned,
                                                   const OpenedInput& input, const ImageStack& stack,
@@ -89,6 +114,7 @@ std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
     task.options.saturated = choice.saturated.value_or(input.hasCodes() ? kSaturatedCodes : 0);
     if (planned.method->needsPrior) {
         task.mean = meanSamples(stack, planned.samples);
+        task.someTexels = samplesOfSomeTexels(stack, planned.samples);
         task.prior = modelFor(choice, planned, progress, input.warn);
     }
     return planned.method->make(task);

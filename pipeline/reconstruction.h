@@ -42,6 +42,10 @@ PlannedMethod planMethod(const MethodChoice& choice, const OpenedInput& input,
 /// nearest valid neighbour.
 std::vector<Rgb> meanSamples(const ImageStack& stack, const SampleSet& samples);
 
+/// Samples of texels that are spread over the stack, one after the other; none where it has only
+/// one.
+std::vector<Rgb> samplesOfSomeTexels(const ImageStack& stack, const SampleSet& samples);
+
 /// The reconstructor for what was planned. stack: holds the samples.
 std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
                                                   const PlannedMethod& planned,

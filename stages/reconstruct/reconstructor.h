@@ -30,6 +30,9 @@ struct ReconstructionTask {
     AngularGrid input;           ///< The database's grid.
     AngularGrid output;          ///< The atlas's grid.
     std::vector<Rgb> mean = {};  ///< Of the material's samples over all its texels.
+    /// Samples of texels spread over the material, one after the other, to choose models by; none
+    /// where the mean is all there is.
+    std::vector<Rgb> someTexels = {};
     std::shared_ptr<const PriorModel> prior = {};  ///< For methods that need it: of these samples.
     ReconstructOptions options = {};
 };
