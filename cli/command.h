@@ -35,6 +35,7 @@ void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
 void addExport(CLI::App& app, RunCommand& run);
+void addStress(CLI::App& app, RunCommand& run);
 void addPreview(CLI::App& app, RunCommand& run);
 void addReport(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);

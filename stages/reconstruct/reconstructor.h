@@ -56,6 +56,10 @@ class Reconstructor {
 
     /// Bytes of what a texel's ABRDF is made from, in floats; what all texels share is not counted.
     virtual double modelBytes() const = 0;
+
+    /// Largest condition number (2-norm, or 1-norm's estimate) of the linear systems that were
+    /// solved for it; 1 where there are none.
+    virtual double condition() const { return 1; }
 };
 
 /// A reconstruction method: one file in this folder.
@@ -78,9 +82,15 @@ struct ReconstructedTexels {
     AbrdfTile abrdfs;
     std::uint64_t clamped = 0;    ///< Values that came out negative and were set to 0.
     std::uint64_t nonfinite = 0;  ///< Values that came out NaN or infinite and were set to 0.
+    /// Values above kMostOfSamples times the texel's largest sample, dimmed to that: a highlight
+    /// that the samples only suggest is not made up at any height.
+    std::uint64_t dimmed = 0;
 };
 
-/// The stage: every texel of a tile, in parallel. No negative, infinite or NaN value leaves it.
+inline constexpr float kMostOfSamples = 4;
+
+/// The stage: every texel of a tile, in parallel. No negative, infinite or NaN value leaves it, and
+/// none above kMostOfSamples times the texel's largest sample.
 ReconstructedTexels reconstructTexels(const AbrdfTile& samples, const AngularGrid& output,
                                       const Reconstructor& reconstructor);
 
