@@ -324,10 +324,11 @@ TEST_CASE("a texel's ABRDF has the same bits alone, among others, and on any num
         CHECK(std::ranges::equal(values, first));
     }
     const std::size_t pairs = prior.grid.pairCount();
-    std::vector<Rgb> alone(pairs);
     for (const std::size_t texel : {0U, 31U, 32U, 74U}) {
-        reconstructor->reconstruct(samples[texel], alone);
-        CHECK(std::ranges::equal(alone, std::span(first).subspan(texel * pairs, pairs)));
+        AbrdfTile one(1, prior.samples.count());
+        std::ranges::copy(samples[texel], one[0].begin());
+        const ReconstructedTexels alone = reconstructTexels(one, prior.grid, *reconstructor);
+        CHECK(std::ranges::equal(alone.abrdfs[0], std::span(first).subspan(texel * pairs, pairs)));
     }
 }
 
