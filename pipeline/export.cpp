@@ -46,7 +46,7 @@ std::unique_ptr<const BrdfTable> measuredBrdf(const OpenedInput& input,
     MethodChoice everything;
     everything.name = "measured";
     const PlannedMethod planned = planMethod(everything, input, grid, progress);
-    const ReadStack read = readStack(input, planned.samples, {1, 1}, {}, progress);
+    const ReadStack read = readStack(input, planned.samples, {1, 1}, progress);
     const SlicedTexels sliced = sliceTexels(read.stack, planned.samples, 0, 1);
     std::vector<Rgb> values(sliced.samples[0].begin(), sliced.samples[0].end());
     input.colors.transform("scene_linear", kSpace).apply(values);

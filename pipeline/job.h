@@ -90,6 +90,12 @@ struct ReadStack {
 ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
                     const Plane& plane, const ProgressSink& progress);
 
+/// Of images as they stand.
+inline ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
+                           const ProgressSink& progress) {
+    return readStack(input, samples, texels, Plane{}, progress);
+}
+
 /// "tl030 pl090 tv015 pv060": a pair as the databases write it.
 std::string pairName(const LightAndView& pair);
 

@@ -33,7 +33,7 @@ std::vector<LightAndView> directionsOf(const AngularGrid& grid,
 void search(FoundPlane& found, const PlaneChoice& choice, const OpenedInput& input,
             const SampleSet& samples, const ProgressSink& progress) {
     const Texels texels = searchedTexels(input.description());
-    const ImageStack images = readStack(input, samples, texels, {}, progress).stack;
+    const ImageStack images = readStack(input, samples, texels, progress).stack;
     Plane& plane = found.plane;
     if (!choice.edges) plane.edges = isPeriodic(images) ? Edges::kPeriodic : Edges::kCropped;
     if (!choice.search) return;

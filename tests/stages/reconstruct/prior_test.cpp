@@ -325,7 +325,7 @@ TEST_CASE("a texel's ABRDF has the same bits alone, among others, and on any num
     }
     const std::size_t pairs = prior.grid.pairCount();
     for (const std::size_t texel : {0U, 31U, 32U, 74U}) {
-        AbrdfTile one(1, samples.valuesPerTexel());
+        AbrdfTile one(1, prior.samples.count());
         std::ranges::copy(samples[texel], one[0].begin());
         const ReconstructedTexels alone = reconstructTexels(one, prior.grid, *reconstructor);
         CHECK(std::ranges::equal(alone.abrdfs[0], std::span(first).subspan(texel * pairs, pairs)));
