@@ -15,11 +15,14 @@ namespace abrdf {
 /// Options that mean the same for every command.
 struct SharedOptions {
     int threads = 0;  ///< 0: from the environment, else all processors.
+    std::string memory;  ///< As bytesFromText(); empty: 2G.
     std::string progress = "auto";
     std::filesystem::path report;
     bool verbose = false;
     bool quiet = false;
     bool json = false;
+
+    std::uint64_t memoryBytes() const;
 };
 
 /// One command: its options on `app` and, when chosen, what to run (returning the exit status).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/output_file.h"
 #include "cli/command.h"
+#include "pipeline/memory_plan.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -8,6 +9,10 @@
 #include <iostream>
 
 namespace abrdf {
+
+std::uint64_t SharedOptions::memoryBytes() const {
+    return bytesFromText(memory.empty() ? "2G" : memory);
+}
 
 void addInputOptions(CLI::App& command, InputOptions& options) {
     command.add_option("INPUT", options.input, "folder or .zip of a BTF database")->required();

@@ -71,6 +71,8 @@ void addSharedOptions(CLI::App& app, SharedOptions& shared) {
     app.add_option("--threads", shared.threads,
                    "threads to use (else ABRDF_THREADS, CUE_THREADS, SLURM_CPUS_PER_TASK, all)")
         ->check(CLI::Range(1, 4096));
+    app.add_option("--memory", shared.memory,
+                   "bound on the resident set of convert, as 500M or 2G (2G)");
     app.add_option("--progress", shared.progress, "auto | bar | plain | none")
         ->capture_default_str();
     app.add_option("--report", shared.report, "write a JSON report to this file");

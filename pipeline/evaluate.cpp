@@ -23,6 +23,7 @@ namespace {
 /// The full measurement, and what is needed to compare with it.
 struct Reference {
     ImageStack stack;
+    std::vector<Rgb> imageMeans;
     AbrdfTile truth;                    ///< All texels, linear Rec.709.
     std::vector<std::uint8_t> present;  ///< One flag a pair.
     ColorTransform toRec709;
@@ -36,6 +37,7 @@ Reference readReference(const OpenedInput& input, const EvaluateOptions& options
         samplesFor(methodFromName("measured"), {}, input, description.grid);
     ReadStack read = readStack(input, everything, texels, progress);
     Reference reference{std::move(read.stack),
+                        std::move(read.facts.means),
                         {},
                         description.present,
                         input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)")};
@@ -120,7 +122,9 @@ ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
     const auto sampledOnGrid = isTable && method.wish != SampleWish::kEverything
                                    ? std::vector<std::size_t>{}
                                    : samples.pairs;
-    const auto reconstructor = buildReconstructor(choice, planned, input, stack, progress);
+    const auto reconstructor =
+        buildReconstructor(choice, planned, input, stack.pairs(),
+                           isTable ? own.facts.means : reference.imageMeans, progress);
     const SlicedTexels sliced = sliceTexels(stack, samples, 0, stack.texelCount());
     AbrdfTile abrdfs = reconstructTexels(sliced.samples, grid, *reconstructor).abrdfs;
     forEachTexelBlock(abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/job.h"
 
+#include "abrdf/content_hash.h"
+#include "abrdf/flow.h"
 #include "abrdf/for_each_texel.h"
 #include "stages/average/average_image.h"
 #include "stages/slice/choose_samples.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -57,24 +61,39 @@ void checkElevations(const SlicePlan& plan, const OpenedInput& input) {
     check(input.description().grid.views(), "view");
 }
 
-/// One "image" of one texel for each sample; values that are no light become NaN, and are counted.
-ReadStack evaluateTable(const BrdfTable& table, const SampleSet& samples,
-                        const ColorTransform& toSceneLinear) {
-    ReadStack result{ImageStack(samples.pairs, 1, 1), 0};
-    std::atomic<std::uint64_t> leftOut = 0;
-    forEachTexel(samples.count(), [&](std::size_t i) {
-        Rgb value = table.evaluate(samples.directions[i]);
-        if (isFinite(value) && !isNegative(value)) {
-            toSceneLinear.apply({&value, 1});
-        } else {
-            constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-            value = {kNaN, kNaN, kNaN};
-            ++leftOut;
-        }
-        result.stack.image(i)[0] = value;
-    });
-    result.leftOut = leftOut;
-    return result;
+/// The mean of an image's valid texels; NaN where there is none.
+Rgb meanOf(std::span<const Rgb> image) {
+    double sum[3] = {};
+    double count = 0;
+    for (const Rgb& c : image) {
+        if (!isFinite(c)) continue;
+        sum[0] += static_cast<double>(c.r);
+        sum[1] += static_cast<double>(c.g);
+        sum[2] += static_cast<double>(c.b);
+        ++count;
+    }
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    if (count == 0) return {kNaN, kNaN, kNaN};
+    return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
+            static_cast<float>(sum[2] / count)};
+}
+
+/// A sample of a table as an image of one texel: NaN where it is no light.
+std::uint64_t evaluateTable(const BrdfTable& table, const LightAndView& direction,
+                            const ColorTransform& toSceneLinear, std::span<Rgb> texel) {
+    texel[0] = table.evaluate(direction);
+    if (isFinite(texel[0]) && !isNegative(texel[0])) {
+        toSceneLinear.apply(texel);
+        return 0;
+    }
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    texel[0] = {kNaN, kNaN, kNaN};
+    return 1;
+}
+
+template <typename T>
+std::span<const char> bytesOf(std::span<const T> values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
 }  // namespace
@@ -156,23 +175,47 @@ SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedI
                : fillMissing(std::move(samples), description.grid, description.present);
 }
 
-ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
-                    const ProgressSink& progress) {
+ReadFacts readImages(const OpenedInput& input, const SampleSet& samples, Texels texels,
+                     std::size_t atOnce, const ImageSink& sink, const ProgressSink& progress) {
     const ColorTransform toSceneLinear = input.colors.transform(input.inputSpace, "scene_linear");
-    if (const BrdfTable* table = input.reader->table()) {
-        return evaluateTable(*table, samples, toSceneLinear);
-    }
-    const std::vector<std::size_t>& pairs = samples.pairs;
+    const BrdfTable* table = input.reader->table();
     const Linearizer linearizer(toSceneLinear);
-    ReadStack result{ImageStack(pairs, texels.width, texels.height), 0};
+    const std::vector<std::size_t>& pairs = samples.pairs;
+    ReadFacts facts;
+    facts.means.resize(pairs.size());
+    std::vector<std::uint64_t> hashes(pairs.size());
+    std::vector<std::vector<Rgb>> buffers(atOnce);
     std::atomic<std::uint64_t> leftOut = 0;
     std::atomic<std::size_t> done = 0;
-    forEachImage(pairs.size(), [&](std::size_t i) {
-        leftOut += averageImage(input.reader->read(pairs[i]), linearizer, texels.width,
-                                texels.height, result.stack.image(i));
-        if (progress) progress({"read", "images", ++done, pairs.size()});
-    });
-    result.leftOut = leftOut;
+    const auto read = [&](std::size_t i, std::size_t slot) {
+        std::vector<Rgb>& image = buffers[slot];
+        image.resize(texels.count());
+        leftOut +=
+            table != nullptr
+                ? evaluateTable(*table, samples.directions[i], toSceneLinear, image)
+                : averageImage(input.reader->read(pairs[i]), linearizer, texels.width,
+                               texels.height, image);
+        facts.means[i] = meanOf(image);
+        hashes[i] = contentHash(bytesOf(std::span<const Rgb>(image)));
+        sink(i, image);
+        if (progress && table == nullptr) progress({"read", "images", ++done, pairs.size()});
+    };
+    runFlow({pairs.size(), atOnce, {}, read, {}});
+    facts.leftOut = leftOut;
+    facts.hash = contentHash(bytesOf(std::span<const std::uint64_t>(hashes)));
+    return facts;
+}
+
+ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
+                    const ProgressSink& progress) {
+    if (input.reader->table() != nullptr) texels = {1, 1};
+    ReadStack result{ImageStack(samples.pairs, texels.width, texels.height), {}};
+    result.facts = readImages(
+        input, samples, texels, 2 * static_cast<std::size_t>(threadsInUse()),
+        [&](std::size_t i, std::span<const Rgb> image) {
+            std::ranges::copy(image, result.stack.image(i).begin());
+        },
+        progress);
     return result;
 }
 
@@ -190,6 +233,13 @@ std::uint64_t peakMemory() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::uint64_t residentMemory() {
+    std::ifstream stream("/proc/self/statm");
+    std::uint64_t pages = 0;
+    stream >> pages >> pages;
+    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace abrdf

@@ -10,9 +10,12 @@
 #include "stages/reconstruct/reconstructor.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace abrdf {
 
@@ -34,6 +37,10 @@ struct InputOptions {
 struct Texels {
     int width = 1;
     int height = 1;
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
 };
 
 /// "WxH" or "full". Throws std::invalid_argument.
@@ -70,20 +77,35 @@ SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedI
 const AngularGrid& sampledGrid(const Method& method, const OpenedInput& input,
                                const AngularGrid& output);
 
-struct ReadStack {
-    ImageStack stack;
+/// Receives the linear texels of image `image` (of samples.pairs), row by row; from any thread.
+using ImageSink = std::function<void(std::size_t image, std::span<const Rgb> texels)>;
+
+/// What is known of all images once they were read.
+struct ReadFacts {
     std::uint64_t leftOut = 0;  ///< Pixels that were NaN, infinite or negative.
+    std::vector<Rgb> means;     ///< Of each image over its valid texels; NaN where it has none.
+    std::uint64_t hash = 0;     ///< contentHash() of all their texels.
 };
 
-/// Reads, linearises and averages the images of samples.pairs in parallel, and opens no other
-/// image; a table is evaluated instead, one "image" a sample.
+/// Reads, linearises and averages the images of samples.pairs in parallel, at most `atOnce` under
+/// way, and opens no other image; a table is evaluated instead, one "image" of one texel a sample.
+ReadFacts readImages(const OpenedInput& input, const SampleSet& samples, Texels texels,
+                     std::size_t atOnce, const ImageSink& sink, const ProgressSink& progress);
+
+struct ReadStack {
+    ImageStack stack;
+    ReadFacts facts;
+};
+
+/// The same into memory.
 ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
                     const ProgressSink& progress);
 
 /// "tl030 pl090 tv015 pv060": a pair as the databases write it.
 std::string pairName(const LightAndView& pair);
 
-/// Largest resident set so far, in bytes.
+/// Largest resident set so far, and the present one, in bytes.
 std::uint64_t peakMemory();
+std::uint64_t residentMemory();
 
 }  // namespace abrdf

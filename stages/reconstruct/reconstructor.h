@@ -68,13 +68,24 @@ std::span<const Method> methods();
 /// Throws std::invalid_argument for an unknown name, listing the known ones.
 const Method& methodFromName(const std::string& name);
 
+/// How many values a reconstruction made that no light has.
+struct UnrealCounts {
+    std::uint64_t clamped = 0;    ///< Negative ones, set to 0.
+    std::uint64_t nonfinite = 0;  ///< NaN and infinite ones, set to 0.
+};
+
+/// The stage for at most reconstructor.texelsAtOnce() texels, where it is called. No negative,
+/// infinite or NaN value leaves it.
+UnrealCounts reconstructBlock(std::span<const Rgb> samples, const Reconstructor& reconstructor,
+                              std::span<Rgb> abrdfs);
+
 struct ReconstructedTexels {
     AbrdfTile abrdfs;
     std::uint64_t clamped = 0;    ///< Values that came out negative and were set to 0.
     std::uint64_t nonfinite = 0;  ///< Values that came out NaN or infinite and were set to 0.
 };
 
-/// The stage: every texel of a tile, in parallel. No negative, infinite or NaN value leaves it.
+/// The stage for every texel of a tile, in parallel.
 ReconstructedTexels reconstructTexels(const AbrdfTile& samples, const AngularGrid& output,
                                       const Reconstructor& reconstructor);
 

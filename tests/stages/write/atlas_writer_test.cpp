@@ -52,7 +52,7 @@ TEST_CASE("what is packed and written is looked up again from the header alone, 
                                              ? packAngular(tile, header.layout, 0, high)
                                              : packSpatial(tile, header.layout);
                 const auto path = folder.path() / "a.exr";
-                AtlasWriter writer(path, header, type, Compression::kZip);
+                AtlasWriter writer(path, header, {type, Compression::kZip, false, {}});
                 CHECK(writer.writeRows(block.y, block.height, block.pixels) == 0);
                 const std::uint64_t bytes = writer.finish({1, 2, 3, 4});
                 CHECK(bytes == std::filesystem::file_size(path));
@@ -84,7 +84,7 @@ TEST_CASE("a half never becomes infinite: it is cut and counted") {
     std::vector<Rgb> pixels(35, Rgb{1, 2, 3});
     pixels[4].g = 1e6F;
     CHECK_FALSE(fitsHalf(pixels));
-    AtlasWriter writer(folder.path() / "a.exr", header, PixelType::kHalf, Compression::kNone);
+    AtlasWriter writer(folder.path() / "a.exr", header, {PixelType::kHalf, Compression::kNone, false, {}});
     CHECK(writer.writeRows(0, 5, pixels) == 1);
     writer.finish({});
     CHECK(readAtlas(folder.path() / "a.exr").at({0, 0, 0, 4}).g == 65504);
@@ -96,7 +96,7 @@ TEST_CASE("without finish() nothing is left behind and an old file is intact") {
     std::ofstream(path) << "old";
     {
         const AtlasHeader header = smallHeader(AtlasKind::kAngular, 1, 1);
-        AtlasWriter writer(path, header, PixelType::kHalf, Compression::kZip);
+        AtlasWriter writer(path, header, {});
         writer.writeRows(0, 5, std::vector<Rgb>(35));
     }
     CHECK(bytesOf(path) == "old");

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abrdf/angular_grid.h"
+#include "stages/pack/pack_texels.h"
+#include "stages/reconstruct/reconstructor.h"
+#include "stages/slice/slice_texels.h"
+
+#include <span>
+#include <vector>
+
+namespace abrdf {
+
+/// All that happens to a texel between the images and the atlas: slice, reconstruct, finish. Built
+/// once a job, then used from any thread.
+struct TexelMaker {
+    TexelSlicer slicer;
+    const Reconstructor& reconstructor;
+    TexelFinisher finisher;
+    std::size_t pairs;  ///< Of the atlas.
+
+    /// Memory of one run of texels, kept for the next.
+    struct Buffers {
+        std::vector<Rgb> samples;
+        std::vector<Rgb> abrdfs;
+        UnrealCounts unreal;
+    };
+
+    /// Makes texels [first, first + count) of a band of images; abrdfs: all pairs of each.
+    void make(std::span<const Rgb> band, std::size_t first, std::size_t count,
+              Buffers& buffers) const;
+};
+
+}  // namespace abrdf
