@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abrdf/angular_interpolation.h"
 #include "abrdf/atlas_header.h"
+#include "abrdf/pair_interpolation.h"
 #include "color/rgb.h"
 
 #include <vector>
@@ -17,6 +17,9 @@ class Atlas {
 
     const AtlasHeader& header() const { return header_; }
 
+    /// Row by row, as the layout says.
+    const std::vector<Rgb>& pixels() const { return pixels_; }
+
     /// The stored value.
     Rgb at(const AtlasSample& sample) const;
 
@@ -26,9 +29,12 @@ class Atlas {
   private:
     AtlasHeader header_;
     std::vector<Rgb> pixels_;
-    AngularInterpolation lights_;
-    AngularInterpolation views_;
+    PairInterpolation interpolation_;
 };
+
+/// The average of all texels: an atlas of one. Values that are not finite are left out; a pair that
+/// has no other is NaN.
+Atlas meanOverTexels(const Atlas& atlas);
 
 /// B(light, view) of a texel: exact at the atlas's directions, interpolated between them, held
 /// past the last elevation. Throws std::out_of_range for a texel that is not in the atlas.

@@ -54,25 +54,6 @@ const auto& valueOf(const Imf::Header& header, const char* name, const std::stri
 
 }  // namespace
 
-std::string nameOf(Cosine cosine) {
-    switch (cosine) {
-        case Cosine::kKept:
-            return "kept";
-        case Cosine::kDivided:
-            return "divided";
-        case Cosine::kAbsent:
-            return "absent";
-    }
-    return "kept";
-}
-
-Cosine cosineFromName(const std::string& name) {
-    for (const Cosine cosine : {Cosine::kKept, Cosine::kDivided, Cosine::kAbsent}) {
-        if (nameOf(cosine) == name) return cosine;
-    }
-    throw std::invalid_argument(fmt::format("'{}' is not kept, divided or absent", name));
-}
-
 ValueCounts& ValueCounts::operator+=(const ValueCounts& other) {
     clamped += other.clamped;
     extrapolated += other.extrapolated;
@@ -111,6 +92,9 @@ void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     if (!atlas.job.empty()) header.insert("abrdf:job", StringAttribute(atlas.job));
     if (atlas.shard > 0) {
         header.insert("abrdf:shard", Imf::V2iAttribute({atlas.shard, atlas.shards}));
+    }
+    if (!atlas.conversion.empty()) {
+        header.insert("abrdf:conversion", StringAttribute(atlas.conversion));
     }
     header.insert("colorInteropID", StringAttribute(atlas.interopId));
     header.insert("Software", StringAttribute("abrdf"));
@@ -158,6 +142,9 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
     atlas.counts.extrapolated = count("abrdf:extrapolated");
     atlas.counts.nonfinite = count("abrdf:nonfinite");
     atlas.colorSpace = text("abrdf:colorSpace");
+    if (header.find("abrdf:conversion") != header.end()) {
+        atlas.conversion = text("abrdf:conversion");
+    }
     atlas.interopId = text("colorInteropID");
     if (const auto* job = header.findTypedAttribute<Imf::StringAttribute>("abrdf:job")) {
         atlas.job = job->value();

@@ -3,6 +3,7 @@
 
 #include "abrdf/angular_grid.h"
 #include "abrdf/atlas_layout.h"
+#include "abrdf/cosine.h"
 
 #include <ImfHeader.h>
 
@@ -10,13 +11,6 @@
 #include <string>
 
 namespace abrdf {
-
-/// Whether cos(theta_i) is in the values.
-enum class Cosine { kKept, kDivided, kAbsent };
-
-/// "kept", "divided" or "absent"; the inverse throws std::invalid_argument for other names.
-std::string nameOf(Cosine cosine);
-Cosine cosineFromName(const std::string& name);
 
 /// How many values needed care. A value is one colour: one pair of one texel.
 struct ValueCounts {
@@ -42,6 +36,7 @@ struct AtlasHeader {
     ValueCounts counts;
     std::string colorSpace;  ///< OpenColorIO name.
     std::string interopId;   ///< Color Interop Forum id, "unknown" where the space is none of ours.
+    std::string conversion;  ///< "sRGB - Texture -> ACEScg": of the input's colours; may be empty.
     std::string job;         ///< JSON of all that these values depend on; may be empty.
     int shard = 0;           ///< Of a part of an atlas: 1 .. shards; 0: it is whole.
     int shards = 0;

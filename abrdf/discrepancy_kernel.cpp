@@ -12,7 +12,7 @@ namespace {
 constexpr double kVectorWeight = 0.7;
 
 Eigen::MatrixXd allFeatures(MaterialClass materialClass, const std::vector<LightAndView>& pairs) {
-    const Eigen::MatrixXd isotropic = isotropicFeatures(pairs);
+    Eigen::MatrixXd isotropic = isotropicFeatures(pairs);
     if (materialClass == MaterialClass::kIso) return isotropic;
     Eigen::MatrixXd all(isotropic.rows(), 10);
     all << isotropic, kVectorWeight * vectorFeatures(pairs);

@@ -44,7 +44,8 @@ class PlainFlow {
   private:
     void workUntilDone() {
         try {
-            while (doOne()) {}
+            while (doOne()) {
+            }
         } catch (...) {
             const std::lock_guard lock(mutex_);
             if (!error_) error_ = std::current_exception();
@@ -56,8 +57,9 @@ class PlainFlow {
         std::size_t item = 0;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock,
-                          [&] { return error_ || (!fetching_ && fetched_ < delivered_ + flow_.slots); });
+            changed_.wait(lock, [&] {
+                return error_ || (!fetching_ && fetched_ < delivered_ + flow_.slots);
+            });
             if (error_ || fetched_ == flow_.items) return false;
             fetching_ = true;
             item = fetched_;

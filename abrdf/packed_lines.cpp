@@ -42,8 +42,7 @@ using Halfs = std::array<std::uint16_t, kPiece>;
 }
 
 /// How many colours no half can hold; nearly always none.
-[[gnu::always_inline]] inline std::uint64_t countPast(const Channels& channels,
-                                                      std::size_t count) {
+[[gnu::always_inline]] inline std::uint64_t countPast(const Channels& channels, std::size_t count) {
     std::uint32_t past = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const bool fits = std::fabs(channels[0][i]) <= kLargestHalf &&
@@ -139,14 +138,14 @@ bool hasAvx512() {
 
 std::uint64_t packLines(const Rgb* colors, std::size_t lines, std::size_t width, PixelType type,
                         const PackedLines& place) {
-    static const auto kPack = hasAvx512()                            ? packAvx512
+    static const auto kPack = hasAvx512()                           ? packAvx512
                               : __builtin_cpu_supports("avx2") != 0 ? packAvx2
                                                                     : packPortable;
     return kPack({colors, lines, width, type, place});
 }
 
 std::uint64_t halfsFrom(const Rgb* colors, std::size_t count, std::uint16_t* halfs) {
-    static const auto kConvert = hasAvx512()                            ? halfsAvx512
+    static const auto kConvert = hasAvx512()                           ? halfsAvx512
                                  : __builtin_cpu_supports("avx2") != 0 ? halfsAvx2
                                                                        : halfsPortable;
     return kConvert(colors, count, halfs);

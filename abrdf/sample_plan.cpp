@@ -95,8 +95,8 @@ SamplePlan boundedPlan(const std::string& name, std::span<const SubspaceSlices> 
     const std::size_t most = bound > 0 ? bound : kPlanSamples;
     const DistinctCount distinct(snapTo);
     SamplePlan plan{bound > 0 ? fmt::format("{}:{}", name, bound) : name, {}, {}};
-    for (double factor = bound > kPlanSamples ? 20 : 2; factor > 0.01; factor -= 0.01) {
-        plan.samples = samplesOf(subspaces, factor);
+    for (int percent = bound > kPlanSamples ? 2000 : 200; percent > 1; --percent) {
+        plan.samples = samplesOf(subspaces, percent / 100.0);
         if (distinct.of(plan.samples) <= most) return plan;
     }
     throw std::invalid_argument(fmt::format("the plan {} needs at least {} samples, one a slice",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abrdf/angular_interpolation.h"
+#include "abrdf/pair_interpolation.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/grazing.h"
 #include "abrdf/progress.h"
+#include "pipeline/job.h"
+#include "pipeline/page_job.h"
 #include "pipeline/reconstruction.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +17,7 @@ namespace abrdf {
 
 /// Options that mean the same for every command.
 struct SharedOptions {
-    int threads = 0;  ///< 0: from the environment, else all processors.
+    int threads = 0;     ///< 0: from the environment, else all processors.
     std::string memory;  ///< As bytesFromText(); empty: 2G.
     std::string progress = "auto";
     std::filesystem::path report;
@@ -33,13 +36,26 @@ void addConvert(CLI::App& app, RunCommand& run);
 void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
+void addExport(CLI::App& app, RunCommand& run);
+void addPreview(CLI::App& app, RunCommand& run);
+void addReport(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
+
+/// --pattern and --utia-encoding: for every command that opens a database.
+void addReadOptions(CLI::App& command, ReadOptions& options);
+
+/// --grazing, for commands that write on a grid of the user's choice.
+void addGrazingOption(CLI::App& command, Grazing& grazing);
 
 /// The input, its colours and missing images: for every command on a database.
 void addInputOptions(CLI::App& command, InputOptions& options);
 
 /// The method's plan, model and numbers: for every command that reconstructs.
 void addMethodOptions(CLI::App& command, MethodChoice& choice);
+
+/// Options of a page that `preview --html` and `report` share; and what both end with.
+void addPageOptions(CLI::App& command, PageOptions& options);
+int deliverPage(nlohmann::ordered_json report, const SharedOptions& shared);
 
 /// Prints `report` on stdout as JSON where --json was given, else `text`, and writes --report.
 void deliver(const nlohmann::ordered_json& report, const std::string& text,

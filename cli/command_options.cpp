@@ -14,8 +14,30 @@ std::uint64_t SharedOptions::memoryBytes() const {
     return bytesFromText(memory.empty() ? "2G" : memory);
 }
 
+void addReadOptions(CLI::App& command, ReadOptions& options) {
+    command.add_option("--pattern", options.pattern,
+                       "images' names of your own, as \"view_{tv}_{pv}/light_{tl}_{pl}.exr\"");
+    command.add_option_function<std::string>(
+        "--utia-encoding",
+        [&options](const std::string& name) { options.utiaEncoding = utiaEncodingFromName(name); },
+        "of UTIA BRDF files: linear | srgb | srgb140 (else told from the values)");
+}
+
+void addGrazingOption(CLI::App& command, Grazing& grazing) {
+    const std::map<std::string, Grazing> policies = {
+        {"hold", Grazing::kHold}, {"fade", Grazing::kFade}, {"extrapolate", Grazing::kExtrapolate}};
+    command
+        .add_option("--grazing", grazing,
+                    "past the measured elevations: hold (the default) | fade | extrapolate")
+        ->transform(CLI::CheckedTransformer(policies));
+}
+
 void addInputOptions(CLI::App& command, InputOptions& options) {
-    command.add_option("INPUT", options.input, "folder or .zip of a BTF database")->required();
+    command
+        .add_option("INPUT", options.input,
+                    "folder or .zip of a BTF, a BRDF file, an atlas or a manifest")
+        ->required();
+    addReadOptions(command, options.read);
     command.add_option("--colorconfig", options.colorConfig,
                        "OpenColorIO config (else $OCIO, else the shipped one)");
     command.add_option("--input-space", options.inputSpace,

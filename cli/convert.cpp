@@ -105,6 +105,7 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
                      "input | ubo81 | dome151 | utia288 | regular:THETASxPHIS | a CSV of "
                      "theta_deg,phi_deg")
         ->capture_default_str();
+    addGrazingOption(*command, job.grazing);
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();
     command->add_option("--layout", options->layout, "angular | spatial")->capture_default_str();

@@ -67,6 +67,16 @@ std::string methodList() {
     return list;
 }
 
+/// "convert, inspect or demo".
+std::string commandNames(const CLI::App& app) {
+    std::string names;
+    const auto commands = app.get_subcommands({});
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        names += (i == 0 ? "" : i + 1 == commands.size() ? " or " : ", ") + commands[i]->get_name();
+    }
+    return names;
+}
+
 void addSharedOptions(CLI::App& app, SharedOptions& shared) {
     app.add_option("--threads", shared.threads,
                    "threads to use (else ABRDF_THREADS, CUE_THREADS, SLURM_CPUS_PER_TASK, all)")
@@ -114,6 +124,9 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addInspect(app, run);
     abrdf::addEvaluate(app, run);
     abrdf::addTrain(app, run);
+    abrdf::addExport(app, run);
+    abrdf::addPreview(app, run);
+    abrdf::addReport(app, run);
     abrdf::addDemo(app, run);
     app.require_subcommand(0, 1);
     try {
@@ -131,8 +144,8 @@ int runProgram(std::vector<std::string> words) {
         return 0;
     }
     if (!run) {
-        std::cerr << "abrdf: which command? convert, inspect, evaluate, train or demo; abrdf "
-                     "--help says more\n";
+        std::cerr << fmt::format("abrdf: which command? {}; abrdf --help says more\n",
+                                 commandNames(app));
         return kWrongUsage;
     }
     return runChosen(run, shared);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "color/color_config.h"
 
-#include <OpenColorIO/OpenColorIO.h>
+#include "color/known_space.h"
+#include "color/near_names.h"
+#include "color/ocio_handles.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
@@ -19,62 +22,8 @@ namespace OCIO = OCIO_NAMESPACE;
 
 namespace {
 
-// Only foldings that leave the values alone: no approximate powers, no baking into tables.
-constexpr OCIO::OptimizationFlags kOptimization = OCIO::OPTIMIZATION_LOSSLESS;
-
 // OCIO widens a row to RGBA in a buffer of its own; short rows keep that in the cache.
 constexpr std::size_t kRow = 4096;
-
-// OCIO's message as the middle of a sentence: one line, no full stop.
-std::string reason(const std::exception& error) {
-    std::string text = error.what();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    text.erase(text.find_last_not_of(". ") + 1);
-    return text;
-}
-
-// Lower-case letters and digits alone: people do not agree on the rest of "Linear Rec.709 (sRGB)".
-std::string folded(std::string_view name) {
-    std::string letters;
-    for (const char c : name) {
-        if (c >= 'A' && c <= 'Z') {
-            letters += static_cast<char>(c - 'A' + 'a');
-        } else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
-            letters += c;
-        }
-    }
-    return letters;
-}
-
-// The fewest insertions, deletions, replacements and swaps of neighbours from a to b: Levenshtein's
-// distance with Damerau's fourth error, for "ACESgc" is one slip of the hand.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> beforeLast, last, row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        beforeLast = std::exchange(last, row);
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            row[j] = std::min({replaced, last[j] + 1, row[j - 1] + 1});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                row[j] = std::min(row[j], beforeLast[j - 2] + 1);
-            }
-        }
-    }
-    return row.back();
-}
-
-// How far `name` is from what was `typed`; nothing where they have too little in common.
-std::optional<std::size_t> farness(const std::string& typed, const std::string& name) {
-    constexpr std::size_t kShortestPart = 2;
-    const std::string a = folded(typed);
-    const std::string b = folded(name);
-    const std::size_t distance = editDistance(a, b);
-    if (distance <= std::max<std::size_t>(1, std::min(a.size(), b.size()) / 4)) return distance;
-    const bool part = a.size() >= kShortestPart && b.find(a) != std::string::npos;
-    return part ? std::optional(distance) : std::nullopt;
-}
 
 std::vector<std::string> namesOf(const OCIO::ColorSpace& space) {
     std::vector<std::string> names{space.getName()};
@@ -93,29 +42,31 @@ std::vector<std::string> spaceNamesOf(const OCIO::Config& config) {
     return names;
 }
 
-// The names nearest to what was typed, best first: at most one a space, and the roles.
-std::vector<std::string> nearNames(const OCIO::Config& config, const std::string& typed) {
-    constexpr std::size_t kMost = 3;
-    std::vector<std::pair<std::size_t, std::string>> found;
-    const auto consider = [&](const std::vector<std::string>& names) {
-        std::optional<std::pair<std::size_t, std::string>> best;
-        for (const std::string& name : names) {
-            const auto far = farness(typed, name);
-            if (far && (!best || *far < best->first)) best.emplace(*far, name);
-        }
-        if (best) found.push_back(*best);
-    };
+// Names that people may have meant: those of each space, and each role.
+std::vector<std::vector<std::string>> knownNames(const OCIO::Config& config) {
+    std::vector<std::vector<std::string>> names;
     for (const std::string& space : spaceNamesOf(config)) {
-        consider(namesOf(*config.getColorSpace(space.c_str())));
+        names.push_back(namesOf(*config.getColorSpace(space.c_str())));
     }
-    for (int i = 0; i < config.getNumRoles(); ++i) consider({config.getRoleName(i)});
-
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    found.resize(std::min(found.size(), kMost));
-    std::vector<std::string> names;
-    for (auto& [far, name] : found) names.push_back(std::move(name));
+    for (int i = 0; i < config.getNumRoles(); ++i) names.push_back({config.getRoleName(i)});
     return names;
+}
+
+// " Did you mean 'a' or 'b'?", or nothing.
+std::string question(const std::string& typed, const std::vector<std::vector<std::string>>& known) {
+    const std::vector<std::string> near = nearNames(typed, known);
+    return near.empty() ? std::string()
+                        : fmt::format(" Did you mean '{}'?", fmt::join(near, "' or '"));
+}
+
+// Roles of OpenColorIO that a config may or may not have.
+bool isStandardRole(const std::string& name) {
+    constexpr std::array<std::string_view, 12> kRoles{
+        "default",       "reference",        "data",
+        "color_picking", "scene_linear",     "compositing_log",
+        "color_timing",  "texture_paint",    "matte_paint",
+        "rendering",     "aces_interchange", "cie_xyz_d65_interchange"};
+    return std::ranges::any_of(kRoles, [&](std::string_view role) { return name == role; });
 }
 
 OCIO::ConstConfigRcPtr shippedConfig() {
@@ -130,14 +81,6 @@ OCIO::ConstConfigRcPtr configFromFile(const std::string& file) {
 }
 
 }  // namespace
-
-struct ColorTransform::Processor {
-    OCIO::ConstCPUProcessorRcPtr cpu;
-};
-
-struct ColorConfig::Loaded {
-    OCIO::ConstConfigRcPtr config;
-};
 
 bool ColorTransform::isIdentity() const {
     return !processor_ || processor_->cpu->isNoOp();
@@ -189,13 +132,17 @@ std::string ColorConfig::spaceName(const std::string& nameOrRole) const {
     if (const auto space = loaded_->config->getColorSpace(nameOrRole.c_str())) {
         return space->getName();
     }
-    const std::vector<std::string> near = nearNames(*loaded_->config, nameOrRole);
-    const std::string question =
-        near.empty() ? std::string()
-                     : fmt::format(" Did you mean '{}'?", fmt::join(near, "' or '"));
+    const std::string asked = question(nameOrRole, knownNames(*loaded_->config));
+    if (isStandardRole(nameOrRole)) {
+        throw std::runtime_error(
+            fmt::format("The colour config '{}' lacks the role '{}', which this job needs.{} Give "
+                        "it that role, "
+                        "or name another config with --colorconfig.",
+                        origin_, nameOrRole, asked));
+    }
     throw std::runtime_error(
         fmt::format("The colour config '{}' has no colour space '{}'.{} It has: '{}'.", origin_,
-                    nameOrRole, question, fmt::join(spaceNames(), "', '")));
+                    nameOrRole, asked, fmt::join(spaceNames(), "', '")));
 }
 
 std::vector<std::string> ColorConfig::spaceNames() const {
@@ -206,20 +153,47 @@ std::vector<std::string> ColorConfig::aliases(const std::string& name) const {
     return namesOf(*loaded_->config->getColorSpace(spaceName(name).c_str()));
 }
 
+bool ColorConfig::isData(const std::string& name) const {
+    return loaded_->config->getColorSpace(spaceName(name).c_str())->isData();
+}
+
+bool ColorConfig::has(const std::string& nameOrRole) const {
+    return loaded_->config->getColorSpace(nameOrRole.c_str()) != nullptr;
+}
+
+bool ColorConfig::reaches(const std::string& name) const {
+    return has(name) ||
+           (loaded_->config->hasRole(OCIO::ROLE_INTERCHANGE_SCENE) && knownSpace({name}));
+}
+
 ColorTransform ColorConfig::transform(const std::string& from, const std::string& to) const {
-    const std::string source = spaceName(from);
-    const std::string target = spaceName(to);
+    // Each end with its own config: this one, or the shipped one beyond aces_interchange.
+    struct End {
+        OCIO::ConstConfigRcPtr config;
+        std::string name;
+    };
+    const auto endOf = [&](const std::string& name) -> End {
+        if (has(name) || !reaches(name)) {
+            return {loaded_->config, spaceName(name)};
+        }
+        return {shippedConfig(), std::string(ocioName(*knownSpace({name})))};
+    };
+    const End source = endOf(from);
+    const End target = endOf(to);
     ColorTransform result;
     try {
-        const auto processor = loaded_->config->getProcessor(source.c_str(), target.c_str());
+        const auto processor =
+            source.config == target.config
+                ? source.config->getProcessor(source.name.c_str(), target.name.c_str())
+                : OCIO::Config::GetProcessorFromConfigs(source.config, source.name.c_str(),
+                                                        target.config, target.name.c_str());
         result.processor_ = std::make_shared<const ColorTransform::Processor>(
-            ColorTransform::Processor{processor->getOptimizedCPUProcessor(
-                OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, kOptimization)});
+            ColorTransform::Processor{exactCpu(processor)});
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format(
             "The colour config '{}' cannot convert '{}' to '{}': {}. Choose other spaces, or "
             "another config with --colorconfig.",
-            origin_, source, target, reason(error)));
+            origin_, source.name, target.name, reason(error)));
     }
     return result;
 }

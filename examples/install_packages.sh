@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing; through sudo where not root.
+# Installs the Debian packages of a list (packages.txt) that are missing; through sudo where not root.
 set -euo pipefail
-mapfile -t packages < "$(dirname "$0")/packages.txt"
+mapfile -t packages < "${1:-$(dirname "$0")/packages.txt}"
 missing=()
 for package in "${packages[@]}"; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

@@ -103,8 +103,13 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
         if (journal.written().tiles == 0) journal.add({writer.written(), 0, {}});
         const bool endWhereCut =
             options.pixel == PixelChoice::kAuto && written.type == PixelType::kHalf;
-        const AtlasRun run{table,        maker,       job.layout(),
-                           memory,       written.type, endWhereCut, scratchFolder(options.output)};
+        const AtlasRun run{table,
+                           maker,
+                           job.layout(),
+                           memory,
+                           written.type,
+                           endWhereCut,
+                           scratchFolder(options.output)};
         const auto told = [&](const TilesAdded& added) {
             journal.add(added);
             add(added.counts);
@@ -209,20 +214,19 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
     const double readSeconds = secondsSince(start);
 
     const std::vector<std::size_t>& images = job.samples().pairs;
-    const auto reconstructor = buildReconstructor(options.method, job.planned, job.input, images,
-                                                  facts.means, progress);
+    const auto reconstructor =
+        buildReconstructor(options.method, job.planned, job.input, images, facts.means, progress);
     malloc_trim(0);
     const ordered_json identity =
         identityOf(asked, facts.hash, meanSamples(images, facts.means, job.samples()),
-                   *reconstructor, job.grid.pairCount());
+                   *reconstructor, job.grazing.inner().pairCount());
     job.header.job = identity.dump();
     const TexelMaker maker{
-        TexelSlicer(images, job.samples()), *reconstructor,
+        TexelSlicer(images, job.samples()), *reconstructor, job.grazing,
         TexelFinisher(job.grid, {job.input.colors.transform("scene_linear", options.outputSpace),
                                  job.header.cosine == Cosine::kDivided}),
         job.grid.pairCount()};
-    const Written written =
-        writeAtlas(job, options, memory, table, maker, identity, progress);
+    const Written written = writeAtlas(job, options, memory, table, maker, identity, progress);
     ordered_json report = reportOf(job, options);
     report["counts"] = {{"clamped", written.counts.clamped},
                         {"extrapolated", written.counts.extrapolated},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abrdf/atlas_header.h"
+#include "abrdf/grazing.h"
 #include "pipeline/reconstruction.h"
 #include "stages/write/atlas_writer.h"
 
@@ -29,7 +30,8 @@ struct ConvertOptions {
     InputOptions input;
     std::filesystem::path output;
     MethodChoice method;
-    std::string grid = "input";  ///< Or what gridFromName() takes.
+    std::string grid = "input";        ///< Or what gridFromName() takes.
+    Grazing grazing = Grazing::kHold;  ///< Past the measured elevations.
     Texels texels;
     AtlasKind layout = AtlasKind::kAngular;
     PixelChoice pixel = PixelChoice::kAuto;

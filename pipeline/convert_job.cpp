@@ -18,16 +18,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::uint64_t extrapolatedPairs(const AngularGrid& grid, Radians maxMeasuredTheta) {
-    const Radians limit = maxMeasuredTheta + radiansFromDegrees(0.01);
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < grid.pairCount(); ++i) {
-        const LightAndView pair = grid.pair(i);
-        count += pair.light.theta > limit || pair.view.theta > limit ? 1U : 0U;
-    }
-    return count;
-}
-
 AtlasHeader headerOf(const ConvertJob& job, const ConvertOptions& options) {
     const BtfDescription& description = job.input.description();
     AtlasHeader header;
@@ -42,13 +32,13 @@ AtlasHeader headerOf(const ConvertJob& job, const ConvertOptions& options) {
     header.cosine = options.divideCosine && description.cosine == Cosine::kKept
                         ? Cosine::kDivided
                         : description.cosine;
-    header.maxMeasuredTheta = description.grid.maxTheta();
+    header.maxMeasuredTheta = description.maxMeasuredTheta;
     header.colorSpace = job.input.colors.spaceName(options.outputSpace);
+    header.conversion = fmt::format("{} -> {}", job.input.inputSpace, header.colorSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
     header.counts.missing = job.samples().filled;
-    header.counts.extrapolated =
-        extrapolatedPairs(job.grid, header.maxMeasuredTheta) * header.layout.texelCount();
+    header.counts.extrapolated = job.grazing.extrapolatedPairs() * header.layout.texelCount();
     return header;
 }
 
@@ -94,13 +84,13 @@ MemoryTask memoryOf(const ConvertJob& job, const ConvertOptions& options) {
     task.type = options.pixel == PixelChoice::kHalf ? PixelType::kHalf : PixelType::kFloat;
     task.images = job.samples().pairs.size();
     task.samples = job.samples().count();
-    task.reconstructed = job.grid.pairCount();
+    task.reconstructed = job.grazing.inner().pairCount();
     task.imageBytes = imageBytes(job);
     task.threads = threadsInUse();
     task.fixedBytes = residentMemory();
     if (job.planned.method->needsPrior) {
         // The model's covariances of four classes, and the products made of them in double.
-        task.fixedBytes += 40 * std::uint64_t{task.samples} * job.grid.pairCount();
+        task.fixedBytes += 40 * std::uint64_t{task.samples} * task.reconstructed;
     }
     return task;
 }
@@ -118,9 +108,9 @@ void checkSize(const ConvertJob& job) {
 
 /// A number for a list of directions.
 std::uint64_t hashOf(const std::vector<Direction>& directions, std::uint64_t seed) {
-    return contentHash({reinterpret_cast<const char*>(directions.data()),
-                        directions.size() * sizeof(Direction)},
-                       seed);
+    return contentHash(
+        {reinterpret_cast<const char*>(directions.data()), directions.size() * sizeof(Direction)},
+        seed);
 }
 
 std::string hex(std::uint64_t hash) {
@@ -140,8 +130,8 @@ Shard shardFromText(const std::string& text) {
             return shard;
         }
     }
-    throw std::invalid_argument(
-        fmt::format("the shard '{}' is not understood: write I/N with I from 1 to N, as 1/4", text));
+    throw std::invalid_argument(fmt::format(
+        "the shard '{}' is not understood: write I/N with I from 1 to N, as 1/4", text));
 }
 
 TileOrder ConvertJob::texelOrder() const {
@@ -161,7 +151,10 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     job.input = openInput(options.input);
     if (options.grid == "input") job.grid = job.input.description().grid;
     job.texels = resolvedTexels(options.texels, job.input.description());
-    job.planned = planMethod(options.method, job.input, job.grid, progress);
+    const BtfDescription& description = job.input.description();
+    job.grazing =
+        GrazingMap(job.grid, description.maxMeasuredTheta, options.grazing, description.cosine);
+    job.planned = planMethod(options.method, job.input, job.grazing.inner(), progress);
     job.header = headerOf(job, options);
     takeShard(job, options.shard);
     checkSize(job);
@@ -192,6 +185,7 @@ ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options) {
             {"rank", choice.options.rank},
             {"per_texel", choice.options.perTexel},
             {"grid", hex(grid)},
+            {"grazing", nameOf(options.grazing)},
             {"texels", fmt::format("{}x{}", job.texels.width, job.texels.height)},
             {"layout", nameOf(options.layout)},
             {"pixel", options.pixel == PixelChoice::kAuto   ? "auto"
@@ -207,8 +201,8 @@ ordered_json identityOf(ordered_json asked, std::uint64_t hash, std::span<const 
     std::vector<Rgb> mean(pairs);
     reconstructBlock(meanSamples, reconstructor, mean);
     asked["values"] = hex(hash);
-    asked["mean"] = hex(
-        contentHash({reinterpret_cast<const char*>(mean.data()), mean.size() * sizeof(Rgb)}));
+    asked["mean"] =
+        hex(contentHash({reinterpret_cast<const char*>(mean.data()), mean.size() * sizeof(Rgb)}));
     return asked;
 }
 
@@ -223,6 +217,7 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options) {
                        {"width", description.width},
                        {"height", description.height},
                        {"images", description.imageCount()},
+                       {"below_horizon", description.belowHorizon},
                        {"cosine", nameOf(description.cosine)},
                        {"color_space", job.input.inputSpace}};
     report["plan"] = {{"name", job.header.plan},
@@ -230,7 +225,13 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options) {
                       {"images_read", job.samples().pairs.size()}};
     report["method"] = options.method.name;
     report["texels"] = {job.texels.width, job.texels.height};
+    const ordered_json conversion = {{"what", description.source},
+                                     {"from", job.input.inputSpace},
+                                     {"to", job.header.colorSpace}};
+    report["color"] = {{"config", job.input.colors.origin()},
+                       {"conversions", ordered_json::array({conversion})}};
     report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
+    report["grazing"] = nameOf(options.grazing);
     if (job.header.shard > 0) report["shard"] = {job.header.shard, job.header.shards};
     return report;
 }

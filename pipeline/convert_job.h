@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abrdf/atlas_header.h"
+#include "abrdf/grazing.h"
 #include "abrdf/tile_order.h"
 #include "pipeline/convert.h"
 #include "pipeline/memory_plan.h"
@@ -20,6 +21,7 @@ struct ConvertJob {
     OpenedInput input;
     PlannedMethod planned;
     AngularGrid grid;
+    GrazingMap grazing;  ///< From the elevations that are measured to the grid's.
     Texels texels;       ///< Of the whole atlas.
     int firstRow = 0;    ///< Of texels, of this job's shard.
     AtlasHeader header;  ///< Of this job's shard.
@@ -35,9 +37,9 @@ struct ConvertJob {
     /// This job's texels of an image, row by row.
     template <typename T>
     std::span<const T> rowsOf(std::span<const T> image) const {
-        return image.subspan(static_cast<std::size_t>(firstRow) *
-                                 static_cast<std::size_t>(texels.width),
-                             layout().texelCount());
+        return image.subspan(
+            static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(texels.width),
+            layout().texelCount());
     }
 };
 

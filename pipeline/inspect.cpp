@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/inspect.h"
 
-#include "abrdf/for_each_texel.h"
 #include "pipeline/job.h"
+#include "pipeline/stack_facts.h"
 #include "stages/read/atlas_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <limits>
+#include <cmath>
 #include <set>
+#include <stdexcept>
 
 namespace abrdf {
 
@@ -18,37 +18,6 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 namespace {
-
-/// What one image told.
-struct ImageFacts {
-    std::string error;  ///< Empty where it was read.
-    float least = std::numeric_limits<float>::infinity();
-    float greatest = -std::numeric_limits<float>::infinity();
-    std::uint64_t nonfinite = 0;
-};
-
-ImageFacts factsOf(const BtfReader& reader, std::size_t pair) {
-    ImageFacts facts;
-    try {
-        const EncodedImage image = reader.read(pair);
-        const auto add = [&](float value) {
-            if (!std::isfinite(value)) {
-                ++facts.nonfinite;
-                return;
-            }
-            facts.least = std::min(facts.least, value);
-            facts.greatest = std::max(facts.greatest, value);
-        };
-        if (const auto* codes = std::get_if<std::vector<std::uint8_t>>(&image.rgb)) {
-            for (const std::uint8_t code : *codes) add(static_cast<float>(code) / 255.0F);
-        } else {
-            for (const float value : std::get<std::vector<float>>(image.rgb)) add(value);
-        }
-    } catch (const std::runtime_error& error) {
-        facts.error = error.what();
-    }
-    return facts;
-}
 
 ordered_json degreesOf(const std::vector<Direction>& directions) {
     std::set<double> thetas;
@@ -58,27 +27,37 @@ ordered_json degreesOf(const std::vector<Direction>& directions) {
     return thetas;
 }
 
-ordered_json inspectDatabase(const fs::path& path, const ProgressSink& progress) {
-    const auto reader = openBtf(path);
+/// What the values alone say of the cosine.
+std::string cosineByReciprocity(const Reciprocity& reciprocity) {
+    const Cosine guess = cosineFromReciprocity(reciprocity, Cosine::kDivided);
+    return guess == Cosine::kDivided ? "undecided" : nameOf(guess);
+}
+
+ordered_json jsonOf(const Reciprocity& reciprocity) {
+    if (reciprocity.pairs == 0) return {{"pairs", 0}};
+    return {{"pairs", reciprocity.pairs},
+            {"rms_as_stored", reciprocity.rmsAsStored},
+            {"rms_divided_by_cosine", reciprocity.rmsDivided},
+            {"largest", reciprocity.largest},
+            {"where", pairName(reciprocity.where)},
+            {"cosine_by_it", cosineByReciprocity(reciprocity)}};
+}
+
+/// The part of the report that images alone can tell.
+void addFacts(const BtfReader& reader, const ProgressSink& progress, ordered_json& report) {
+    const ColorConfig colors = ColorConfig::load();
+    const Linearizer linearizer(colors.transform(reader.description().colorSpace, "scene_linear"));
+    const StackFacts facts = stackFacts(reader, linearizer, progress);
+    if (facts.least <= facts.greatest) report["stored_range"] = {facts.least, facts.greatest};
+    report["nonfinite"] = facts.nonfinite;
+    report["reciprocity"] = jsonOf(facts.reciprocity);
+    report["unreadable"] = facts.unreadable;
+}
+
+ordered_json inspectDatabase(const fs::path& path, const ReadOptions& options,
+                             const ProgressSink& progress) {
+    const auto reader = openBtf(path, options);
     const BtfDescription& description = reader->description();
-    std::vector<std::size_t> present;
-    for (std::size_t pair = 0; pair < description.present.size(); ++pair) {
-        if (description.present[pair] != 0) present.push_back(pair);
-    }
-    std::vector<ImageFacts> facts(present.size());
-    std::atomic<std::size_t> done = 0;
-    forEachImage(present.size(), [&](std::size_t i) {
-        facts[i] = factsOf(*reader, present[i]);
-        if (progress) progress({"inspect", "images", ++done, present.size()});
-    });
-    ImageFacts all;
-    std::vector<std::string> unreadable;
-    for (const ImageFacts& one : facts) {
-        if (!one.error.empty()) unreadable.push_back(one.error);
-        all.least = std::min(all.least, one.least);
-        all.greatest = std::max(all.greatest, one.greatest);
-        all.nonfinite += one.nonfinite;
-    }
     std::vector<std::string> missing;
     for (const std::size_t pair : description.missingPairs()) {
         missing.push_back(pairName(description.grid.pair(pair)));
@@ -93,18 +72,21 @@ ordered_json inspectDatabase(const fs::path& path, const ProgressSink& progress)
     report["light_thetas"] = degreesOf(description.grid.lights());
     report["view_thetas"] = degreesOf(description.grid.views());
     report["max_theta"] = degreesFromRadians(description.grid.maxTheta());
+    report["max_measured_theta"] = degreesFromRadians(description.maxMeasuredTheta);
+    report["below_horizon"] = description.belowHorizon;
     report["color_space"] = description.colorSpace;
     report["cosine"] = nameOf(description.cosine);
-    if (all.least <= all.greatest) report["stored_range"] = {all.least, all.greatest};
-    report["nonfinite"] = all.nonfinite;
+    report["cosine_from"] = description.cosineFrom;
+    report["notes"] = description.notes;
+    addFacts(*reader, progress, report);
     report["missing"] = missing;
     report["duplicate"] = description.duplicates;
-    report["unreadable"] = unreadable;
-    report["complete"] = missing.empty() && description.duplicates.empty() && unreadable.empty();
+    report["complete"] =
+        missing.empty() && description.duplicates.empty() && report["unreadable"].empty();
     return report;
 }
 
-ordered_json inspectAtlas(const fs::path& path) {
+ordered_json inspectAtlas(const fs::path& path, const ProgressSink& progress) {
     const AtlasHeader atlas = readAtlasHeader(path);
     ordered_json report;
     report["format"] = "abrdf atlas";
@@ -121,43 +103,49 @@ ordered_json inspectAtlas(const fs::path& path) {
     report["plan"] = atlas.plan;
     report["samples"] = atlas.samples;
     report["source"] = atlas.source;
+    report["max_theta"] = degreesFromRadians(atlas.grid.maxTheta());
     report["max_measured_theta"] = degreesFromRadians(atlas.maxMeasuredTheta);
     report["counts"] = {{"clamped", atlas.counts.clamped},
                         {"extrapolated", atlas.counts.extrapolated},
                         {"nonfinite", atlas.counts.nonfinite}};
     report["color_space"] = atlas.colorSpace;
+    if (!atlas.conversion.empty()) report["conversion"] = atlas.conversion;
     report["color_interop_id"] = atlas.interopId;
     report["cosine"] = nameOf(atlas.cosine);
+    report["cosine_from"] = "header";
+    try {
+        addFacts(*openBtf(path), progress, report);
+    } catch (const std::runtime_error& error) {
+        report["unreadable"] = {error.what()};
+    }
     report["missing"] = ordered_json::array();
     report["duplicate"] = ordered_json::array();
-    report["unreadable"] = ordered_json::array();
-    try {
-        readAtlas(path);
-    } catch (const std::runtime_error& error) {
-        report["unreadable"].push_back(error.what());
-    }
     report["complete"] = report["unreadable"].empty();
     return report;
 }
 
 }  // namespace
 
-ordered_json inspect(const fs::path& path, const ProgressSink& progress) {
-    return isAtlas(path) ? inspectAtlas(path) : inspectDatabase(path, progress);
+ordered_json inspect(const fs::path& path, const ProgressSink& progress,
+                     const ReadOptions& options) {
+    return isAtlas(path) ? inspectAtlas(path, progress) : inspectDatabase(path, options, progress);
 }
 
 std::string textOf(const ordered_json& report) {
     std::string text;
+    const auto line = [&](const std::string& key, const std::string& value) {
+        text += fmt::format("{:<20}{}\n", key, value);
+    };
     for (const auto& [key, value] : report.items()) {
-        const bool isFaults = key == "missing" || key == "duplicate" || key == "unreadable";
-        if (!isFaults) {
-            text += fmt::format("{:<20}{}\n", key,
-                                value.is_string() ? value.get<std::string>() : value.dump());
-            continue;
-        }
-        text += fmt::format("{:<20}{}\n", key, value.size());
-        for (std::size_t i = 0; i < std::min<std::size_t>(5, value.size()); ++i) {
-            text += fmt::format("{:<20}{}\n", "", value[i].get<std::string>());
+        if (key == "notes") {
+            for (const ordered_json& note : value) line("note", note.get<std::string>());
+        } else if (key == "missing" || key == "duplicate" || key == "unreadable") {
+            line(key, fmt::format("{}", value.size()));
+            for (std::size_t i = 0; i < std::min<std::size_t>(5, value.size()); ++i) {
+                line("", value[i].get<std::string>());
+            }
+        } else {
+            line(key, value.is_string() ? value.get<std::string>() : value.dump());
         }
     }
     return text;

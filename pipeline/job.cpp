@@ -117,7 +117,7 @@ OpenedInput openInput(const InputOptions& options) {
     OpenedInput input;
     input.missing = options.missing;
     input.warn = options.warn;
-    callBoth([&] { input.reader = openBtf(options.input); },
+    callBoth([&] { input.reader = openBtf(options.input, options.read); },
              [&] { input.colors = ColorConfig::load(options.colorConfig); });
     const BtfDescription& description = input.description();
     if (!description.duplicates.empty()) {
@@ -190,11 +190,10 @@ ReadFacts readImages(const OpenedInput& input, const SampleSet& samples, Texels 
     const auto read = [&](std::size_t i, std::size_t slot) {
         std::vector<Rgb>& image = buffers[slot];
         image.resize(texels.count());
-        leftOut +=
-            table != nullptr
-                ? evaluateTable(*table, samples.directions[i], toSceneLinear, image)
-                : averageImage(input.reader->read(pairs[i]), linearizer, texels.width,
-                               texels.height, image);
+        leftOut += table != nullptr
+                       ? evaluateTable(*table, samples.directions[i], toSceneLinear, image)
+                       : averageImage(input.reader->read(pairs[i]), linearizer, texels.width,
+                                      texels.height, image);
         facts.means[i] = meanOf(image);
         hashes[i] = contentHash(bytesOf(std::span<const Rgb>(image)));
         sink(i, image);

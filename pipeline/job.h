@@ -31,6 +31,7 @@ struct InputOptions {
     std::string inputSpace;  ///< OpenColorIO name; empty: the database's own convention.
     MissingImages missing = MissingImages::kError;
     MessageSink warn;  ///< Told of what goes on though it should not be.
+    ReadOptions read;
 };
 
 /// Spatial resolution of a job; 0 x 0 stands for every texel of the images.

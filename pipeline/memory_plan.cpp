@@ -60,8 +60,8 @@ class Planner {
         const std::uint64_t least = fixed + std::max(runs, reading);
 
         // Samples: all in memory, else two bands.
-        const std::uint64_t bandLeast = 2 * plan.slots * plan.runTiles * unitTexels_ *
-                                        task_.images * sizeof(Rgb);
+        const std::uint64_t bandLeast =
+            2 * plan.slots * plan.runTiles * unitTexels_ * task_.images * sizeof(Rgb);
         const std::size_t allRuns = divided(units_, plan.runTiles);
         plan.samplesInMemory = least + tableBytes_ <= budget;
         plan.runsPerBand = allRuns;
@@ -95,8 +95,8 @@ class Planner {
         const std::uint64_t room = std::min(budget - fixed - tiles, 2 * kLargestBand);
         plan.itemRunsPerBand = plan.slots * std::max<std::size_t>(1, room / bandLeast);
         plan.scratchBytes += itemTableBytes_;
-        plan.peak = std::max(plan.peak,
-                             fixed + tiles + plan.itemRunsPerBand / plan.slots * bandLeast);
+        plan.peak =
+            std::max(plan.peak, fixed + tiles + plan.itemRunsPerBand / plan.slots * bandLeast);
         return true;
     }
 

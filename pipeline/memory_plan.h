@@ -19,12 +19,12 @@ std::uint64_t bytesFromText(const std::string& text);
 struct MemoryTask {
     AtlasLayout layout;
     PixelType type = PixelType::kHalf;
-    std::size_t images = 0;          ///< Rows of the table of texels.
-    std::size_t samples = 0;         ///< A texel.
-    std::size_t reconstructed = 0;   ///< Pairs a texel as the method makes them.
-    std::size_t texelsAtOnce = 32;   ///< As many as the method likes to do together.
-    std::uint64_t imageBytes = 0;    ///< To decode and average one image.
-    std::uint64_t fixedBytes = 0;    ///< The program, its libraries and the method's matrices.
+    std::size_t images = 0;         ///< Rows of the table of texels.
+    std::size_t samples = 0;        ///< A texel.
+    std::size_t reconstructed = 0;  ///< Pairs a texel as the method makes them.
+    std::size_t texelsAtOnce = 32;  ///< As many as the method likes to do together.
+    std::uint64_t imageBytes = 0;   ///< To decode and average one image.
+    std::uint64_t fixedBytes = 0;   ///< The program, its libraries and the method's matrices.
     int threads = 1;
 };
 
@@ -38,7 +38,7 @@ struct MemoryPlan {
     std::size_t runsPerBand = 0;  ///< Runs of a band of samples; all where they are in memory.
     // A spatial atlas is turned once more, from texels to pairs.
     bool itemsInMemory = true;
-    std::size_t itemTiles = 1;     ///< Tiles of a run of pairs.
+    std::size_t itemTiles = 1;  ///< Tiles of a run of pairs.
     std::size_t itemRunsPerBand = 0;
     std::uint64_t scratchBytes = 0;  ///< Of all scratch files.
     std::uint64_t peak = 0;          ///< Estimate of the resident set.

@@ -78,7 +78,7 @@ std::vector<std::size_t> computedGreedyPairs(const AngularGrid& grid, std::size_
     // A thousand materials on UBO2003's grid; fewer where a grid is so fine that they fill the
     // memory.
     options.materials = std::clamp<std::size_t>(1000 * 6561 / grid.pairCount(), 200, 1000);
-    const std::vector<std::size_t> pairs = greedyPairs(grid, {}, options, progress).pairs;
+    std::vector<std::size_t> pairs = greedyPairs(grid, {}, options, progress).pairs;
     if (folder) {
         try {
             fs::create_directories(*folder);

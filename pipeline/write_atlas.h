@@ -14,10 +14,10 @@ namespace abrdf {
 
 /// Some tiles more that an atlas holds.
 struct TilesAdded {
-    WrittenTiles written;     ///< All tiles so far.
-    std::uint64_t hash = 0;   ///< contentHash() of the added tiles' chunks.
-    UnrealCounts counts;      ///< Of the added tiles' values; clamped ones hold those cut to half.
-    double seconds = 0;       ///< That writing them took.
+    WrittenTiles written;    ///< All tiles so far.
+    std::uint64_t hash = 0;  ///< contentHash() of the added tiles' chunks.
+    UnrealCounts counts;     ///< Of the added tiles' values; clamped ones hold those cut to half.
+    double seconds = 0;      ///< That writing them took.
 };
 using TilesSink = std::function<void(const TilesAdded& added)>;
 
@@ -28,7 +28,7 @@ struct AtlasRun {
     AtlasLayout layout;
     MemoryPlan memory;
     PixelType type = PixelType::kHalf;
-    bool endWhereCut = false;  ///< Stop at the first value that no half can hold.
+    bool endWhereCut = false;       ///< Stop at the first value that no half can hold.
     std::filesystem::path scratch;  ///< Folder of scratch files.
 };
 

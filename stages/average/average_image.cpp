@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/average/average_image.h"
 
+#include "abrdf/random.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,16 +38,16 @@ bool isLight(const Rgb& c) {
     return isFinite(c) && !isNegative(c);
 }
 
-/// isLight() of all. Channel by channel and without a branch: compilers make vectors of that, and
+/// isFinite() of all. Channel by channel and without a branch: compilers make vectors of that, and
 /// every pixel of every image is asked.
-bool areLights(std::span<const Rgb> row) {
+bool areFinite(std::span<const Rgb> row) {
     static_assert(sizeof(Rgb) == 3 * sizeof(float));
     const float* channels = &row.front().r;
     constexpr float kMax = std::numeric_limits<float>::max();
     int others = 0;
     for (std::size_t i = 0; i < 3 * row.size(); ++i) {
-        const auto notNegative = static_cast<int>(channels[i] >= 0);
-        others += 1 - (notNegative & static_cast<int>(channels[i] <= kMax));
+        const auto aboveLeast = static_cast<int>(channels[i] >= -kMax);
+        others += 1 - (aboveLeast & static_cast<int>(channels[i] <= kMax));
     }
     return others == 0;
 }
@@ -81,7 +83,7 @@ class LinearRow {
     std::size_t size() const { return colors_.size(); }
     Sum at(std::size_t x) const {
         const Rgb& c = colors_[x];
-        return allValid_ || isLight(c) ? Sum{c.r, c.g, c.b, 1} : Sum{};
+        return allValid_ || isFinite(c) ? Sum{c.r, c.g, c.b, 1} : Sum{};
     }
     Sum over(std::size_t begin, std::size_t end) const {
         Sum sum;
@@ -113,9 +115,9 @@ class CodedRow {
     Sum over(std::size_t begin, std::size_t end) const {
         const std::uint8_t* code = codes_.data() + 3 * begin;
         return sumOf(end - begin, [&](std::size_t x, Sum& part) {
-            part.r += table_[0][code[3 * x]];
-            part.g += table_[1][code[3 * x + 1]];
-            part.b += table_[2][code[3 * x + 2]];
+            part.r += table_.curves[0][code[3 * x]];
+            part.g += table_.curves[1][code[3 * x + 1]];
+            part.b += table_.curves[2][code[3 * x + 2]];
         });
     }
 
@@ -145,23 +147,95 @@ void addRow(const Row& row, double rowShare, std::span<Sum> sums) {
     }
 }
 
+double channel(const Rgb& c, std::size_t index) {
+    return static_cast<double>(index == 0 ? c.r : index == 1 ? c.g : c.b);
+}
+
+/// What `transform` would be if it were a curve a channel and then a matrix: column c is what full
+/// channel c alone becomes, its curve the share of that which each code has.
+CodeTable curvesAndMatrixOf(const ColorTransform& transform) {
+    CodeTable table;
+    table.matrix.emplace();
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<Rgb> ramp(256);
+        for (std::size_t code = 0; code < ramp.size(); ++code) {
+            const float value = static_cast<float>(code) / 255.0F;
+            ramp[code] = {c == 0 ? value : 0, c == 1 ? value : 0, c == 2 ? value : 0};
+        }
+        transform.apply(ramp);
+        double square = 0;
+        for (std::size_t out = 0; out < 3; ++out) {
+            (*table.matrix)[out][c] = channel(ramp[255], out);
+            square += channel(ramp[255], out) * channel(ramp[255], out);
+        }
+        for (std::size_t code = 0; code < ramp.size(); ++code) {
+            double dot = 0;
+            for (std::size_t out = 0; out < 3; ++out) {
+                dot += channel(ramp[code], out) * channel(ramp[255], out);
+            }
+            table.curves[c][code] = dot / square;
+        }
+    }
+    return table;
+}
+
+std::array<double, 3> product(const std::array<std::array<double, 3>, 3>& matrix,
+                              const std::array<double, 3>& v) {
+    std::array<double, 3> result{};
+    for (std::size_t out = 0; out < 3; ++out) {
+        result[out] = matrix[out][0] * v[0] + matrix[out][1] * v[1] + matrix[out][2] * v[2];
+    }
+    return result;
+}
+
+/// An average outside the working space is moved to its border.
+Rgb light(const std::array<double, 3>& mean) {
+    const auto atLeast0 = [](double v) { return static_cast<float>(std::max(0.0, v)); };
+    return {atLeast0(mean[0]), atLeast0(mean[1]), atLeast0(mean[2])};
+}
+
+/// True where the table says what the transform does, to a float's rounding.
+bool explains(const CodeTable& table, const ColorTransform& transform) {
+    Random random(1);
+    for (int i = 0; i < 1024; ++i) {
+        const std::array<std::size_t, 3> codes = {random.below(256), random.below(256),
+                                                  random.below(256)};
+        std::array<double, 3> light{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            light[c] = table.curves[c][codes[c]];
+            if (!(light[c] >= 0)) return false;
+        }
+        const std::array<double, 3> found = product(*table.matrix, light);
+        Rgb wanted = {static_cast<float>(codes[0]) / 255.0F, static_cast<float>(codes[1]) / 255.0F,
+                      static_cast<float>(codes[2]) / 255.0F};
+        transform.apply({&wanted, 1});
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double off = std::abs(found[c] - channel(wanted, c));
+            if (!(off <= 2e-6 * (1 + std::abs(channel(wanted, c))))) return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 Linearizer::Linearizer(ColorTransform toSceneLinear) : transform_(std::move(toSceneLinear)) {
-    if (!transform_.isPerChannel()) return;
-    std::vector<Rgb> colors;
-    for (int code = 0; code < 256; ++code) {
-        const float grey = static_cast<float>(code) / 255.0F;
-        colors.push_back({grey, grey, grey});
+    if (transform_.isPerChannel()) {
+        std::vector<Rgb> colors;
+        for (int code = 0; code < 256; ++code) {
+            const float grey = static_cast<float>(code) / 255.0F;
+            colors.push_back({grey, grey, grey});
+        }
+        transform_.apply(colors);
+        if (!std::ranges::all_of(colors, isLight)) return;
+        table_ = std::make_shared<CodeTable>();
+        for (std::size_t code = 0; code < colors.size(); ++code) {
+            for (std::size_t c = 0; c < 3; ++c) table_->curves[c][code] = channel(colors[code], c);
+        }
+        return;
     }
-    transform_.apply(colors);
-    if (!areLights(colors)) return;
-    table_ = std::make_shared<CodeTable>();
-    for (std::size_t code = 0; code < colors.size(); ++code) {
-        (*table_)[0][code] = static_cast<double>(colors[code].r);
-        (*table_)[1][code] = static_cast<double>(colors[code].g);
-        (*table_)[2][code] = static_cast<double>(colors[code].b);
-    }
+    const CodeTable found = curvesAndMatrixOf(transform_);
+    if (explains(found, transform_)) table_ = std::make_shared<CodeTable>(found);
 }
 
 void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::span<Rgb> row) const {
@@ -204,10 +278,11 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
         bool allValid = true;
         if (table == nullptr) {
             linearizer.linearize(image, first, colors);
-            allValid = areLights(colors);
+            // Bad pixels are NaN now; a negative channel is a colour outside the working space.
+            allValid = areFinite(colors);
             if (!allValid) {
                 leftOut +=
-                    columns - static_cast<std::size_t>(std::ranges::count_if(colors, isLight));
+                    columns - static_cast<std::size_t>(std::ranges::count_if(colors, isFinite));
             }
         }
         for (int texel = texelOfPixel(y, image.height, height); texel < height; ++texel) {
@@ -226,10 +301,13 @@ std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const Sum& s = sums[i];
-        texels[i] = s.weight > 0 ? Rgb{static_cast<float>(s.r / s.weight),
-                                       static_cast<float>(s.g / s.weight),
-                                       static_cast<float>(s.b / s.weight)}
-                                 : Rgb{kNaN, kNaN, kNaN};
+        if (s.weight <= 0) {
+            texels[i] = {kNaN, kNaN, kNaN};
+            continue;
+        }
+        std::array<double, 3> mean = {s.r / s.weight, s.g / s.weight, s.b / s.weight};
+        if (table != nullptr && table->matrix) mean = product(*table->matrix, mean);
+        texels[i] = light(mean);
     }
     return leftOut;
 }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include "color/srgb8.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace abrdf {
-
-/// 8-bit sRGB code values.
-using Srgb8 = std::array<std::uint8_t, 3>;
 
 struct Rectangle {
     int x = 0;  ///< Of the left edge, in pixels from the left.

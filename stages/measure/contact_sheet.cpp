@@ -3,7 +3,7 @@
 
 #include "abrdf/output_file.h"
 #include "color/delta_e.h"
-#include "stages/measure/heat_color.h"
+#include "color/heat_color.h"
 #include "stages/measure/label.h"
 #include "stages/measure/measures.h"
 

@@ -27,16 +27,15 @@ void TexelFinisher::finish(std::span<Rgb> abrdfs) const {
 }
 
 std::uint64_t packAngularTile(std::span<const Rgb> abrdfs, const AtlasLayout& layout,
-                              const TileOrder::Tile& tile, PixelType type,
-                              std::span<char> packed) {
+                              const TileOrder::Tile& tile, PixelType type, std::span<char> packed) {
     const auto views = static_cast<std::size_t>(layout.views);
     const auto lights = static_cast<std::size_t>(layout.lights);
     const auto wide = static_cast<std::size_t>(tile.width);
     const std::size_t channel = wide * views * bytesOf(type);
     std::uint64_t cut = 0;
     for (std::size_t t = 0; t < tile.cells(); ++t) {
-        char* begin = packed.data() + (t / wide) * lights * 3 * channel +
-                      (t % wide) * views * bytesOf(type);
+        char* begin =
+            packed.data() + (t / wide) * lights * 3 * channel + (t % wide) * views * bytesOf(type);
         cut += packLines(abrdfs.data() + t * lights * views, lights, views, type,
                          {begin, channel, 3 * channel});
     }

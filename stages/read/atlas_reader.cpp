@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/atlas_reader.h"
 
+#include "stages/read/exr_header_check.h"
+#include "stages/read/mapped_file.h"
+
 #include <ImfArray.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfInputFile.h>
-#include <ImfTestFile.h>
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -16,6 +18,7 @@ namespace {
 
 template <typename Read>
 auto readExr(const std::filesystem::path& path, Read read) {
+    checkExrHeader(MappedFile(path).bytes(), path.string());
     try {
         Imf::InputFile file(path.c_str(), 0);
         return read(file);
@@ -28,7 +31,9 @@ auto readExr(const std::filesystem::path& path, Read read) {
 }  // namespace
 
 bool isAtlas(const std::filesystem::path& path) {
-    if (!std::filesystem::is_regular_file(path) || !Imf::isOpenExrFile(path.c_str())) return false;
+    if (!std::filesystem::is_regular_file(path) || !beginsAsExr(MappedFile(path).bytes())) {
+        return false;
+    }
     return readExr(path, [](const Imf::InputFile& file) {
         return file.header().find("abrdf:version") != file.header().end();
     });

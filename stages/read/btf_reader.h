@@ -5,6 +5,7 @@
 #include "abrdf/atlas_header.h"
 #include "abrdf/brdf_table.h"
 #include "abrdf/encoded_image.h"
+#include "stages/read/read_options.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -26,9 +27,14 @@ struct BtfDescription {
     std::string
         colorSpace;  ///< OpenColorIO name of the values as stored, by the format's convention.
     Cosine cosine = Cosine::kKept;
+    std::string cosineFrom;        ///< How that is known: "header", "convention ...", "guess ...".
+    Radians maxMeasuredTheta = 0;  ///< Past it all values are extrapolated.
+    std::size_t belowHorizon = 0;  ///< Images, or entries, from or to below the surface.
+    bool isList = false;           ///< Pairs without an image are not missing.
+    std::vector<std::string> notes;  ///< Sentences on what was assumed in reading.
 
     std::size_t imageCount() const;
-    std::vector<std::size_t> missingPairs() const;
+    std::vector<std::size_t> missingPairs() const;  ///< None where isList.
 };
 
 /// One database, open for reading: a file of this folder for each format.
@@ -54,6 +60,7 @@ class BtfReader {
 
 /// Opens a database of any known format.
 /// Throws std::runtime_error that lists the formats where none recognizes `path`.
-std::unique_ptr<BtfReader> openBtf(const std::filesystem::path& path);
+std::unique_ptr<BtfReader> openBtf(const std::filesystem::path& path,
+                                   const ReadOptions& options = {});
 
 }  // namespace abrdf

@@ -12,7 +12,8 @@ namespace abrdf {
 
 namespace fs = std::filesystem;
 
-DatabasePath::DatabasePath(fs::path where) : path(std::move(where)) {
+DatabasePath::DatabasePath(fs::path where, ReadOptions readOptions)
+    : path(std::move(where)), options(std::move(readOptions)) {
     if (!fs::exists(path)) {
         throw std::runtime_error(fmt::format("{}: there is no such file or folder", path.string()));
     }
@@ -29,6 +30,7 @@ DatabasePath::DatabasePath(fs::path where) : path(std::move(where)) {
     head.resize(kHead);
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(stream.gcount()));
+    size = fs::is_regular_file(path) ? fs::file_size(path) : head.size();
 }
 
 std::string DatabasePath::name() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "stages/read/file_source.h"
+#include "stages/read/read_options.h"
 
 #include <filesystem>
 #include <memory>
@@ -13,11 +14,13 @@ namespace abrdf {
 /// its files or by a file's first bytes.
 struct DatabasePath {
     /// Throws std::runtime_error that names `path` where there is nothing or it cannot be read.
-    explicit DatabasePath(std::filesystem::path path);
+    explicit DatabasePath(std::filesystem::path path, ReadOptions options = {});
 
     std::filesystem::path path;
+    ReadOptions options;
     std::shared_ptr<const FileSource> files;  ///< Of a folder or a .zip; else null.
     std::string head;                         ///< The first 4096 bytes of another file.
+    std::uint64_t size = 0;                   ///< Of that file, bytes.
 
     /// The file's or folder's own name.
     std::string name() const;

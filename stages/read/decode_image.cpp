@@ -2,6 +2,7 @@
 #include "stages/read/decode_image.h"
 
 #include "stages/read/decode_jpeg.h"
+#include "stages/read/exr_header_check.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -9,8 +10,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 #include <set>
 #include <stdexcept>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace abrdf {
@@ -19,6 +23,9 @@ namespace {
 
 // A photograph of a material sample; a header that declares more is a lie.
 constexpr int kMaxImageSide = 1 << 15;
+
+// Deflate makes at most 1032 bytes of one, a JPEG's empty blocks 1024.
+constexpr std::size_t kMaxExpansion = 4096;
 
 std::string lowerExtension(const std::string& name) {
     const std::size_t dot = name.rfind('.');
@@ -81,6 +88,65 @@ std::vector<T> readPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, const st
     return packedRgb(std::move(values), static_cast<std::size_t>(spec.nchannels));
 }
 
+/// An image that OpenImageIO has opened from memory, and whose header is possible.
+struct OpenImage {
+    OpenImage(std::span<const char> bytes, const std::string& name)
+        : memory(const_cast<char*>(bytes.data()), bytes.size()) {
+        if (beginsAsExr(bytes)) checkExrHeader(bytes, name);
+        input = OIIO::ImageInput::open("image." + lowerExtension(name), nullptr, &memory);
+        if (!input) throw badImage(name, OIIO::geterror());
+        const OIIO::ImageSpec& spec = input->spec();
+        checkImageSize(spec.width, spec.height, bytes.size(), name);
+        if (spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 64 || spec.deep) {
+            throw badImage(name, fmt::format("it declares {} layers of {} {}channels", spec.depth,
+                                             spec.nchannels, spec.deep ? "deep " : ""));
+        }
+    }
+
+    OIIO::Filesystem::IOMemReader memory;
+    std::unique_ptr<OIIO::ImageInput> input;
+};
+
+/// 1 .. 8 as in TIFF and Exif: from 5 on the stored rows are columns.
+int orientationOf(const OIIO::ImageInput& input) {
+    const int orientation = input.spec().get_int_attribute("Orientation", 1);
+    if (orientation < 1 || orientation > 8) return 1;
+    // OpenImageIO 2.4 calls Radiance's +X +Y 6 and its -X -Y 8, which TIFF has the other way.
+    const bool isSwapped =
+        std::string_view(input.format_name()) == "hdr" && (orientation == 6 || orientation == 8);
+    return isSwapped ? 14 - orientation : orientation;
+}
+
+/// Turns an image so that its first row is the top one and its first column the left one.
+EncodedImage upright(const EncodedImage& stored, int orientation) {
+    const bool swapped = orientation >= 5;
+    const bool fromRight =
+        orientation == 2 || orientation == 3 || orientation == 7 || orientation == 6;
+    const bool fromBelow =
+        orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+    EncodedImage image{swapped ? stored.height : stored.width,
+                       swapped ? stored.width : stored.height, stored.rgb};
+    std::visit(
+        [&](auto& rgb) {
+            const auto& source = std::get<std::decay_t<decltype(rgb)>>(stored.rgb);
+            std::size_t next = 0;
+            for (int y = 0; y < image.height; ++y) {
+                for (int x = 0; x < image.width; ++x) {
+                    const int fromX = fromRight ? image.width - 1 - x : x;
+                    const int fromY = fromBelow ? image.height - 1 - y : y;
+                    const int column = swapped ? fromY : fromX;
+                    const int row = swapped ? fromX : fromY;
+                    const auto pixel = 3 * (static_cast<std::size_t>(row) *
+                                                static_cast<std::size_t>(stored.width) +
+                                            static_cast<std::size_t>(column));
+                    for (std::size_t c = 0; c < 3; ++c) rgb[next++] = source[pixel + c];
+                }
+            }
+        },
+        image.rgb);
+    return image;
+}
+
 }  // namespace
 
 bool isImageName(const std::string& name) {
@@ -93,31 +159,34 @@ bool isLinearFormat(const std::string& name) {
     return extension == "exr" || extension == "hdr" || extension == "rgbe" || extension == "pfm";
 }
 
-void checkImageSize(int width, int height, const std::string& name) {
-    if (width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide) return;
-    throw badImage(name, fmt::format("it declares {} x {} pixels", width, height));
+void checkImageSize(int width, int height, std::size_t bytes, const std::string& name) {
+    const bool isPossible =
+        width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide &&
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) <= kMaxExpansion * bytes;
+    if (isPossible) return;
+    throw badImage(name,
+                   fmt::format("it declares {} x {} pixels in {} bytes", width, height, bytes));
+}
+
+ImageSize imageSize(std::span<const char> bytes, const std::string& name) {
+    if (const auto size = jpegSize(bytes, name)) return *size;
+    const OpenImage image(bytes, name);
+    return {image.input->spec().width, image.input->spec().height};
 }
 
 EncodedImage decodeImage(std::span<const char> bytes, const std::string& name) {
     if (bytes.empty()) throw badImage(name, "the file is empty");
     if (auto jpeg = decodeJpeg(bytes, name)) return std::move(*jpeg);
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-    const std::string format = "image." + lowerExtension(name);
-    const auto input = OIIO::ImageInput::open(format, nullptr, &memory);
-    if (!input) throw badImage(name, OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    checkImageSize(spec.width, spec.height, name);
-    if (spec.depth > 1 || spec.nchannels < 1 || spec.deep) {
-        throw badImage(name, fmt::format("it declares {} layers of {} {}channels", spec.depth,
-                                         spec.nchannels, spec.deep ? "deep " : ""));
-    }
+    const OpenImage open(bytes, name);
+    const OIIO::ImageSpec& spec = open.input->spec();
     EncodedImage image{spec.width, spec.height, {}};
+    const int orientation = orientationOf(*open.input);
     if (spec.format == OIIO::TypeDesc::UINT8) {
-        image.rgb = readPixels<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, name);
+        image.rgb = readPixels<std::uint8_t>(*open.input, OIIO::TypeDesc::UINT8, name);
     } else {
-        image.rgb = readPixels<float>(*input, OIIO::TypeDesc::FLOAT, name);
+        image.rgb = readPixels<float>(*open.input, OIIO::TypeDesc::FLOAT, name);
     }
-    return image;
+    return orientation == 1 ? image : upright(image, orientation);
 }
 
 }  // namespace abrdf

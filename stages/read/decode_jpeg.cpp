@@ -21,36 +21,54 @@ bool beginsAsJpeg(std::span<const char> bytes) {
     return bytes.size() > 3 && bytes[0] == '\xff' && bytes[1] == '\xd8' && bytes[2] == '\xff';
 }
 
+using Decoder = std::unique_ptr<void, HandleCloser>;
+
+/// The thread's own decoder.
+Decoder& decoderOfThread() {
+    thread_local Decoder decoder;
+    if (!decoder) decoder.reset(tjInitDecompress());
+    return decoder;
+}
+
+std::runtime_error faultOf(Decoder& decoder, const std::string& name) {
+    const std::string why = tjGetErrorStr2(decoder.get());
+    decoder.reset();  // After a fault it may take the next image's header for empty.
+    return std::runtime_error(fmt::format("{}: is not a whole image: {}", name, why));
+}
+
+const unsigned char* dataOf(std::span<const char> bytes) {
+    return reinterpret_cast<const unsigned char*>(bytes.data());
+}
+
 }  // namespace
 
-std::optional<EncodedImage> decodeJpeg(std::span<const char> bytes, const std::string& name) {
+std::optional<ImageSize> jpegSize(std::span<const char> bytes, const std::string& name) {
     if (!beginsAsJpeg(bytes)) return {};
-    thread_local std::unique_ptr<void, HandleCloser> decoder;
-    if (!decoder) decoder.reset(tjInitDecompress());
-    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-    const auto fail = [&] {
-        const std::string why = tjGetErrorStr2(decoder.get());
-        decoder.reset();  // After a fault it may take the next image's header for empty.
-        return std::runtime_error(fmt::format("{}: is not a whole image: {}", name, why));
-    };
-    int width = 0;
-    int height = 0;
+    Decoder& decoder = decoderOfThread();
+    ImageSize size;
     int subsampling = 0;
     int colorSpace = 0;
-    if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling,
-                            &colorSpace) != 0) {
-        throw fail();
+    if (tjDecompressHeader3(decoder.get(), dataOf(bytes), bytes.size(), &size.width, &size.height,
+                            &subsampling, &colorSpace) != 0) {
+        throw faultOf(decoder, name);
     }
     if (colorSpace == TJCS_CMYK || colorSpace == TJCS_YCCK) return {};
-    checkImageSize(width, height, name);
-    std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(width) *
-                                  static_cast<std::size_t>(height));
+    checkImageSize(size.width, size.height, bytes.size(), name);
+    return size;
+}
+
+std::optional<EncodedImage> decodeJpeg(std::span<const char> bytes, const std::string& name) {
+    const auto size = jpegSize(bytes, name);
+    if (!size) return {};
+    Decoder& decoder = decoderOfThread();
+    std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(size->width) *
+                                  static_cast<std::size_t>(size->height));
     // A cut file is a warning there, with grey in place of what is missing.
-    if (tjDecompress2(decoder.get(), data, bytes.size(), rgb.data(), width, 0, height, TJPF_RGB,
-                      TJFLAG_ACCURATEDCT) != 0) {
-        throw fail();
+    if (tjDecompress2(decoder.get(), dataOf(bytes), bytes.size(), rgb.data(), size->width, 0,
+                      size->height, TJPF_RGB, TJFLAG_ACCURATEDCT) != 0) {
+        throw faultOf(decoder, name);
     }
-    return EncodedImage{width, height, std::move(rgb)};
+    return EncodedImage{size->width, size->height, std::move(rgb)};
 }
 
 }  // namespace abrdf

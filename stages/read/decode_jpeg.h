@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abrdf/encoded_image.h"
+#include "stages/read/decode_image.h"
 
 #include <optional>
 #include <span>
@@ -14,5 +15,8 @@ namespace abrdf {
 /// Nothing where the bytes are no JPEG or one of four inks: OpenImageIO knows more of those.
 /// Throws std::runtime_error that names `name` where the image is not whole.
 std::optional<EncodedImage> decodeJpeg(std::span<const char> bytes, const std::string& name);
+
+/// The size that its header declares; nothing and throws as decodeJpeg().
+std::optional<ImageSize> jpegSize(std::span<const char> bytes, const std::string& name);
 
 }  // namespace abrdf

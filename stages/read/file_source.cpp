@@ -27,7 +27,12 @@ std::vector<char> readFile(const fs::path& path) {
         throw std::runtime_error(
             fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
     }
-    const std::uint64_t size = fs::file_size(path);
+    std::error_code error;
+    const std::uint64_t size = fs::file_size(path, error);
+    if (error) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot be read: {}", path.string(), error.message()));
+    }
     if (size > kMaxFileSize) {
         throw std::runtime_error(
             fmt::format("{}: is too large for an image: {} bytes", path.string(), size));
@@ -95,6 +100,9 @@ FileSource::FileSource(const fs::path& path) : path_(path) {
     zip_->giveBack(std::move(archive));
 }
 
+FileSource::FileSource(fs::path folder, std::vector<std::string> names)
+    : path_(std::move(folder)), names_(std::move(names)) {}
+
 FileSource::~FileSource() = default;
 FileSource::FileSource(FileSource&&) noexcept = default;
 
@@ -133,7 +141,11 @@ std::vector<char> FileSource::read(std::size_t index) const {
 }
 
 std::uint64_t FileSource::sizeOf(std::size_t index) const {
-    if (!zip_) return fs::file_size(path_ / names_[index]);
+    if (!zip_) {
+        std::error_code absent;
+        const std::uint64_t size = fs::file_size(path_ / names_[index], absent);
+        return absent ? 0 : size;
+    }
     // Asked for one entry at a time: libzip looks at the archive's own file for each.
     ZipHandle archive = zip_->borrow();
     zip_stat_t stat;

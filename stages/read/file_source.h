@@ -15,6 +15,10 @@ class FileSource {
   public:
     /// Throws std::runtime_error where `path` is neither a readable folder nor a zip.
     explicit FileSource(const std::filesystem::path& path);
+
+    /// These files below a folder, in their order; they need not exist.
+    FileSource(std::filesystem::path folder, std::vector<std::string> names);
+
     ~FileSource();
     FileSource(FileSource&&) noexcept;
 

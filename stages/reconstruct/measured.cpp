@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // `measured`: no reconstruction. On the database's own grid its values as they are, on another
-// one their interpolation along the rings.
+// one their interpolation.
+#include "abrdf/pair_interpolation.h"
 #include "stages/reconstruct/reconstructor.h"
 
 #include <algorithm>
@@ -12,37 +13,43 @@ namespace {
 
 class Measured : public Reconstructor {
   public:
-    explicit Measured(const ReconstructionTask& task) {
-        if (task.input == task.output) return;
-        const AngularInterpolation lights(task.input.lights());
-        const AngularInterpolation views(task.input.views());
-        for (std::size_t pair = 0; pair < task.output.pairCount(); ++pair) {
-            weights_.push_back(pairWeights(task.input, lights, views, task.output.pair(pair)));
-        }
+    explicit Measured(const ReconstructionTask& task)
+        : isSame_(task.input == task.output), output_(task.output), interpolation_(task.input) {
+        if (isSame_) return;
+        for (const Direction& d : output_.lights()) lights_.push_back(interpolation_.lightPlace(d));
+        for (const Direction& d : output_.views()) views_.push_back(interpolation_.viewPlace(d));
     }
 
     void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdf) const override {
-        if (weights_.empty()) {
+        if (isSame_) {
             std::ranges::copy(samples, abrdf.begin());
             return;
         }
         for (std::size_t pair = 0; pair < abrdf.size(); ++pair) {
-            abrdf[pair] = {};
-            for (const WeightedPair& term : weights_[pair]) {
-                abrdf[pair] += term.weight * samples[term.pair];
-            }
+            abrdf[pair] = interpolation_.value(lights_[output_.lightOf(pair)],
+                                               views_[output_.viewOf(pair)], samples);
         }
     }
 
     double multiplyAdds() const override {
-        double terms = 0;
-        for (const auto& weights : weights_) terms += static_cast<double>(weights.size());
-        return 3 * terms;
+        if (isSame_) return 0;
+        constexpr double kLinearTerms = 12;
+        double lightTerms = 0;
+        double viewTerms = 0;
+        for (const auto& place : lights_)
+            lightTerms += static_cast<double>(place.smooth.terms.size());
+        for (const auto& place : views_)
+            viewTerms += static_cast<double>(place.smooth.terms.size());
+        return 3 *
+               (lightTerms * viewTerms + kLinearTerms * static_cast<double>(output_.pairCount()));
     }
 
   private:
-    std::vector<std::vector<WeightedPair>>
-        weights_;  ///< Of each output pair; empty: the same grid.
+    bool isSame_;
+    AngularGrid output_;
+    PairInterpolation interpolation_;
+    std::vector<PairInterpolation::Place> lights_;  ///< Of each output light; empty: the same grid.
+    std::vector<PairInterpolation::Place> views_;
 };
 
 }  // namespace

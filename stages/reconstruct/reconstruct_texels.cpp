@@ -39,8 +39,7 @@ UnrealCounts reconstructBlock(std::span<const Rgb> samples, const Reconstructor&
                 value = {};
             } else if (isNegative(value)) {
                 ++counts.clamped;
-                value = {std::max(value.r, 0.0F), std::max(value.g, 0.0F),
-                         std::max(value.b, 0.0F)};
+                value = {std::max(value.r, 0.0F), std::max(value.g, 0.0F), std::max(value.b, 0.0F)};
             }
         }
     }

@@ -55,12 +55,11 @@ SampleSet chooseSamples(const SamplePlan& plan, const AngularGrid& grid, SampleW
         for (std::size_t pair = 0; pair < grid.pairCount(); ++pair)
             addMeasuredPair(set, grid, pair);
     } else if (wish == SampleWish::kSlices) {
-        const AngularInterpolation lights(grid.lights());
-        const AngularInterpolation views(grid.views());
         if (!plan.posterSlices) throw std::invalid_argument("the plan has no slices");
+        const PairInterpolation interpolation(grid);
         set.directions = plan.posterSlices->samples();
         for (const LightAndView& wanted : set.directions) {
-            set.sources.push_back(pairWeights(grid, lights, views, wanted));
+            set.sources.push_back(interpolation.weights(wanted));
         }
     } else {
         const NearestDirection lights(grid.lights());

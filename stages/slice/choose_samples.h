@@ -10,7 +10,8 @@
 namespace abrdf {
 
 /// The samples of `plan` over a database's grid, in the form that a method wishes: sample i of
-/// kSlices is plan.posterSlices->samples()[i]; kMeasuredPairs and kEverything come in the order of the pairs.
+/// kSlices is plan.posterSlices->samples()[i]; kMeasuredPairs and kEverything come in the order of
+/// the pairs.
 SampleSet chooseSamples(const SamplePlan& plan, const AngularGrid& grid, SampleWish wish);
 
 /// Samples of a database that is known everywhere, exactly where they are wanted: "pair" k is

@@ -13,8 +13,7 @@ TexelSlicer::TexelSlicer(std::span<const std::size_t> images, const SampleSet& s
     for (std::size_t k = 0; k < set.count(); ++k) {
         for (const WeightedPair& source : set.sources[k]) {
             const auto place = std::ranges::lower_bound(images, source.pair);
-            terms_[k].push_back(
-                {static_cast<std::size_t>(place - images.begin()), source.weight});
+            terms_[k].push_back({static_cast<std::size_t>(place - images.begin()), source.weight});
         }
     }
 }

@@ -24,8 +24,7 @@ class TexelSlicer {
     /// sampleCount() values for each texel) are taken from `first` on. A sample that is NaN takes
     /// the value of the texel's nearest valid sample; a texel without any valid one becomes black.
     /// Returns the number of samples replaced so.
-    std::uint64_t slice(std::span<const Rgb> band, std::size_t first,
-                        std::span<Rgb> samples) const;
+    std::uint64_t slice(std::span<const Rgb> band, std::size_t first, std::span<Rgb> samples) const;
 
   private:
     /// One term of a sample: which image, and its share.

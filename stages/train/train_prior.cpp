@@ -88,7 +88,7 @@ void takeLogarithms(Eigen::MatrixXf& values, const Lesson& lesson, double scaleF
 
 /// Removes each row's mean over the materials, and returns it.
 Eigen::VectorXf centered(Eigen::MatrixXf& logs) {
-    const Eigen::VectorXf mean = logs.rowwise().mean();
+    Eigen::VectorXf mean = logs.rowwise().mean();
     logs.colwise() -= mean;
     return mean;
 }

@@ -75,9 +75,9 @@ struct AtlasWriter::File {
           begin(head.bytes().size() + order.tiles() * sizeof(std::uint64_t)),
           offsets(offsetsIn(partialBeside(path), begin, options.written)),
           end(std::max(begin, options.written.end)),
-          output(options.resumable ? std::make_unique<OutputFile>(
-                                         path, OutputFile::Partial{options.written.end})
-                                   : std::make_unique<OutputFile>(path)) {
+          output(options.resumable
+                     ? std::make_unique<OutputFile>(path, OutputFile::Partial{options.written.end})
+                     : std::make_unique<OutputFile>(path)) {
         output->write(head.bytes());
         if (offsets.empty()) {
             output->write(std::vector<char>(begin - head.bytes().size()));
@@ -141,10 +141,10 @@ std::uint64_t AtlasWriter::writeRows(int firstRow, int rows, std::span<const Rgb
         std::vector<char> packed(3 * bytes * w * h);
         const auto y = static_cast<std::size_t>(tile.y * cellHeight_ - firstRow);
         for (std::size_t line = 0; line < h; ++line) {
-            const Rgb* row = pixels.data() + (y + line) * width +
-                             static_cast<std::size_t>(tile.x * cellWidth_);
-            cut[i] += packLines(row, 1, w, type_,
-                                {packed.data() + line * 3 * bytes * w, bytes * w, 0});
+            const Rgb* row =
+                pixels.data() + (y + line) * width + static_cast<std::size_t>(tile.x * cellWidth_);
+            cut[i] +=
+                packLines(row, 1, w, type_, {packed.data() + line * 3 * bytes * w, bytes * w, 0});
         }
         encode(first + i, packed, chunks[i]);
     });

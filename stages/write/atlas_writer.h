@@ -58,9 +58,9 @@ class AtlasWriter {
     /// What was appended so far.
     WrittenTiles written() const;
 
-    /// All rows of pixels from firstRow on that `pixels` holds, over the whole width: packs, encodes
-    /// and appends their tiles. Whole rows of tiles, in ascending order. Returns how many values
-    /// past the range of halfs were cut.
+    /// All rows of pixels from firstRow on that `pixels` holds, over the whole width: packs,
+    /// encodes and appends their tiles. Whole rows of tiles, in ascending order. Returns how many
+    /// values past the range of halfs were cut.
     std::uint64_t writeRows(int firstRow, int rows, std::span<const Rgb> pixels);
 
     /// Puts the final counts into the header and the file in its place. Returns its size in bytes.

@@ -78,8 +78,8 @@ ExrHead::ExrHead(const AtlasHeader& atlas, PixelType type, Compression compressi
                  int tileHeight) {
     Imf::Header header(atlas.layout.width(), atlas.layout.height());
     header.compression() = exrCompression(compression);
-    header.setTileDescription({static_cast<unsigned>(tileWidth), static_cast<unsigned>(tileHeight),
-                               Imf::ONE_LEVEL});
+    header.setTileDescription(
+        {static_cast<unsigned>(tileWidth), static_cast<unsigned>(tileHeight), Imf::ONE_LEVEL});
     for (const char* channel : {"R", "G", "B"}) {
         header.channels().insert(channel,
                                  Imf::Channel(type == PixelType::kHalf ? Imf::HALF : Imf::FLOAT));

@@ -29,8 +29,8 @@ exr_compression_t exrCompression(Compression compression) {
 
 void check(exr_result_t result, const char* what) {
     if (result == EXR_ERR_SUCCESS) return;
-    throw std::runtime_error(fmt::format("OpenEXR cannot {}: {}", what,
-                                         exr_get_default_error_message(result)));
+    throw std::runtime_error(
+        fmt::format("OpenEXR cannot {}: {}", what, exr_get_default_error_message(result)));
 }
 
 void ignoreError(exr_const_context_t, exr_result_t, const char*) {}

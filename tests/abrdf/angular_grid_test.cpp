@@ -72,7 +72,7 @@ TEST_CASE("interpolation is exact at directions, periodic, and its weights sum t
         const AngularInterpolation interpolation(directions);
         for (std::size_t i = 0; i < directions.size(); ++i) {
             const DirectionWeights w = interpolation.weights(directions[i]);
-            REQUIRE(w.count == 1);
+            REQUIRE(w.terms.size() == 1);
             // A regular grid lists its pole often; any of them is the pole.
             CHECK(angleBetween(directions[w.terms[0].index], directions[i]) < 1e-9);
             CHECK(w.terms[0].weight == doctest::Approx(1));
@@ -83,7 +83,7 @@ TEST_CASE("interpolation is exact at directions, periodic, and its weights sum t
             const DirectionWeights turned =
                 interpolation.weights({target.theta, target.phi - 4 * kPi});
             double sum = 0;
-            for (std::size_t i = 0; i < w.count; ++i) {
+            for (std::size_t i = 0; i < w.terms.size(); ++i) {
                 CHECK(w.terms[i].weight > 0);
                 CHECK(turned.terms[i].index == w.terms[i].index);
                 sum += w.terms[i].weight;
@@ -100,7 +100,7 @@ TEST_CASE("interpolation reproduces a function linear in theta, and in phi along
     const auto valueAt = [&](Direction target, auto f) {
         double value = 0;
         const DirectionWeights w = interpolation.weights(target);
-        for (std::size_t i = 0; i < w.count; ++i) {
+        for (std::size_t i = 0; i < w.terms.size(); ++i) {
             value += w.terms[i].weight * f(directions[w.terms[i].index]);
         }
         return value;
@@ -125,7 +125,7 @@ TEST_CASE(
     CHECK(interpolation.weights(scattered[7]).terms[0].index == 7);
     const DirectionWeights w = interpolation.weights({0.5, 1});
     double sum = 0;
-    for (std::size_t i = 0; i < w.count; ++i) sum += w.terms[i].weight;
+    for (std::size_t i = 0; i < w.terms.size(); ++i) sum += w.terms[i].weight;
     CHECK(sum == doctest::Approx(1));
 }
 

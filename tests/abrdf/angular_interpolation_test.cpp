@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/angular_interpolation.h"
 
-#include "abrdf/random.h"
+#include "abrdf/angular_grid.h"
 
 #include <doctest/doctest.h>
 
@@ -15,9 +15,7 @@ namespace {
 
 std::map<std::size_t, double> weightOf(const DirectionWeights& weights) {
     std::map<std::size_t, double> sums;
-    for (std::size_t i = 0; i < weights.count; ++i) {
-        sums[weights.terms[i].index] += weights.terms[i].weight;
-    }
+    for (const auto& term : weights.terms) sums[term.index] += term.weight;
     return sums;
 }
 
@@ -33,27 +31,6 @@ double difference(const DirectionWeights& a, const DirectionWeights& b) {
 }  // namespace
 
 TEST_SUITE_BEGIN("unit");
-
-TEST_CASE("a constant over all pairs is interpolated as itself, even past the last ring") {
-    Random random(7);
-    for (const AngularGrid& grid :
-         {AngularGrid(ubo81Directions()), AngularGrid(dome151Directions(), ubo81Directions()),
-          AngularGrid(regularDirections(6, 48), regularDirections(1, 1))}) {
-        const AngularInterpolation lights(grid.lights());
-        const AngularInterpolation views(grid.views());
-        for (int k = 0; k < 300; ++k) {
-            const LightAndView target = {{random.uniform(0, 1.57), random.uniform(-7, 14)},
-                                         {random.uniform(0, 1.57), random.uniform(-7, 14)}};
-            double sum = 0;
-            for (const WeightedPair& term : pairWeights(grid, lights, views, target)) {
-                CHECK(term.pair < grid.pairCount());
-                CHECK(term.weight > 0);
-                sum += static_cast<double>(term.weight);
-            }
-            CHECK(sum == doctest::Approx(1).epsilon(1e-6));
-        }
-    }
-}
 
 TEST_CASE("a small step of the target is a small step of the weights") {
     // Nodes are taken as such within 0.02 degrees: at most 0.02 / 5 of a weight.

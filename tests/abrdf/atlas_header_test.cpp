@@ -137,4 +137,11 @@ TEST_CASE("counts add up one by one") {
     CHECK(counts.missing == 44);
 }
 
+TEST_CASE("what was converted from what to what comes back, and old files without it are read") {
+    AtlasHeader atlas = smallAtlas();
+    CHECK(atlasHeaderFrom(stored(atlas), "some.exr").conversion.empty());
+    atlas.conversion = "sRGB - Texture -> ACEScg";
+    CHECK(atlasHeaderFrom(stored(atlas), "some.exr").conversion == atlas.conversion);
+}
+
 TEST_SUITE_END();

@@ -26,7 +26,9 @@ const abrdf::Reconstructor& published() {
     static const std::unique_ptr<abrdf::Reconstructor> kPublished = [] {
         const abrdf::Method& method = abrdf::methodFromName("published");
         const abrdf::SlicePlan plan;
-        return method.make({plan, abrdf::chooseSamples(abrdf::posterPlan(plan), grid(), method.wish), grid(), grid()});
+        return method.make({plan,
+                            abrdf::chooseSamples(abrdf::posterPlan(plan), grid(), method.wish),
+                            grid(), grid()});
     }();
     return *kPublished;
 }

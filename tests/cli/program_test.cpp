@@ -46,7 +46,8 @@ TEST_SUITE_BEGIN("cli");
 
 TEST_CASE("help is an answer, not a fault, for the program and for each command") {
     const TemporaryFolder folder;
-    for (const char* command : {"", "convert", "inspect", "evaluate", "demo"}) {
+    for (const char* command :
+         {"", "convert", "inspect", "evaluate", "preview", "report", "demo"}) {
         const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
         CHECK(run.status == 0);
         CHECK(contains(run.out, "Usage"));
@@ -133,6 +134,47 @@ TEST_CASE("convert, inspect and evaluate agree about one database") {
     CHECK(fs::exists(folder.path() / "s.png"));
 }
 
+TEST_CASE("preview makes pictures of every kind, and says wrong usage as such") {
+    const TemporaryFolder folder;
+    const std::string zip = "'" + demoZip().string() + "'";
+    REQUIRE(runProgram(folder.path(),
+                       "convert -q --method published " + zip + " -o a.exr --texels full")
+                .status == 0);
+    REQUIRE(runProgram(folder.path(), "convert -q " + zip + " -o m.exr --method measured").status ==
+            0);
+    for (const char* words :
+         {"a.exr -o sphere.png", "a.exr -o plane.jpg --kind plane --light 30,40",
+          "a.exr -o drape.exr --kind drape --environment sky --draft",
+          "a.exr -o polar.png --kind polar", "a.exr -o sheet.png --kind sheet --reference m.exr",
+          "a.exr -o pairs.png --kind sheet --pair 30,0,15,90 --pair 60,0,60,180"}) {
+        const ProgramRun run =
+            runProgram(folder.path(), std::string("preview --size 48x40 --json ") + words);
+        CAPTURE(words);
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        const auto report = nlohmann::json::parse(run.out);
+        CHECK(report["command"] == "preview");
+        CHECK(report["color"]["config"] == "shipped");
+        CHECK(fs::file_size(folder.path() / report["output"]["path"].get<std::string>()) > 100);
+    }
+    CHECK(runProgram(folder.path(), "preview a.exr m.exr --html page.html").status == 0);
+    const auto report =
+        nlohmann::json::parse(runProgram(folder.path(), "report . -o page.html --json").out);
+    CHECK(report["materials"] == 1);
+    const auto pageSize = fs::file_size(folder.path() / "page.html");
+    CHECK(runProgram(folder.path(), "report . -o page.html --title x --no-clobber").status == 0);
+    CHECK(fs::file_size(folder.path() / "page.html") == pageSize);
+    CHECK(runProgram(folder.path(), "preview a.exr m.exr -o a.png").status == 2);
+    CHECK(runProgram(folder.path(), "preview a.exr").status == 2);
+    CHECK(runProgram(folder.path(), "preview a.exr -o a.png --kind cube").status == 2);
+    CHECK(runProgram(folder.path(), "preview a.exr -o a.png --size 0x4").status == 2);
+    CHECK(runProgram(folder.path(), "preview a.exr -o a.png --light 1").status == 2);
+    CHECK(runProgram(folder.path(), "preview a.exr -o a.png --background blue").status == 2);
+    const ProgramRun display = runProgram(folder.path(), "preview a.exr -o a.png --display sRBG");
+    CHECK(display.status == 1);
+    CHECK(contains(display.err, "sRGB - Display"));
+    CHECK_FALSE(fs::exists(folder.path() / "a.png"));
+}
+
 TEST_CASE("a dry run lists the images and writes nothing, no-clobber keeps an old file") {
     const TemporaryFolder folder;
     const std::string zip = "'" + demoZip().string() + "'";
@@ -210,6 +252,40 @@ TEST_CASE("an interrupt leaves no file behind and ends by its signal") {
     CHECK(run.status != 0);
     CHECK(filesIn(folder.path()).empty());
     CHECK(contains(run.err, "interrupted"));
+}
+
+TEST_CASE("an atlas is exported and read again, and the encoding and the grazing can be chosen") {
+    const TemporaryFolder folder;
+    const std::string make =
+        "convert " + demoZip().string() + " -o a.exr --method measured --grid utia288 -q";
+    REQUIRE(runProgram(folder.path(), make).status == 0);
+    const ProgramRun run = runProgram(
+        folder.path(), "export a.exr --to utia-bin -o a.bin --utia-encoding srgb140 --json");
+    CHECK(run.status == 0);
+    CHECK(nlohmann::json::parse(run.out)["encoding"] == "srgb140");
+    CHECK(fs::exists(folder.path() / "a.bin.json"));
+    const ProgramRun told = runProgram(folder.path(), "inspect a.bin --utia-encoding srgb140");
+    CHECK(told.status == 0);
+    CHECK(contains(told.out, "encoding srgb140, as asked for"));
+    CHECK(runProgram(folder.path(), "export a.exr --to utia-bin -o b.bin --grazing fade").status ==
+          0);
+    const ProgramRun wrong = runProgram(folder.path(), "export a.exr --to png -o a.png");
+    CHECK(wrong.status == 2);
+    CHECK(contains(wrong.err, "utia-bin utia-exr merl"));
+    CHECK(runProgram(folder.path(), "export a.exr --to merl -o a.exr").status == 1);
+}
+
+TEST_CASE("a header that declares gigabytes in a kilobyte is one sentence and status 1") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "lie.mbsdf", std::ios::binary)
+        << "NVIDIA ARC MBSDF V1\nMBSDF_DATA_REFLECTION=\n"
+        << std::string("\1\0\0\0\0\2\0\0\0\2\0\0", 12) << std::string(1000, 'x');
+    for (const char* command : {"inspect lie.mbsdf", "convert lie.mbsdf -o a.exr"}) {
+        const ProgramRun run = runProgram(folder.path(), command);
+        CHECK(run.status == 1);
+        CHECK(contains(run.err, "lie.mbsdf: is damaged or cut"));
+        CHECK(std::ranges::count(run.err, '\n') == 1);
+    }
 }
 
 TEST_SUITE_END();

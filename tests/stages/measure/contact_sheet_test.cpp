@@ -2,7 +2,7 @@
 #include "stages/measure/contact_sheet.h"
 
 #include "color/delta_e.h"
-#include "stages/measure/heat_color.h"
+#include "color/heat_color.h"
 #include "stages/measure/measures.h"
 
 #include <OpenImageIO/imageio.h>

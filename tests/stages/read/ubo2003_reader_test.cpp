@@ -95,11 +95,23 @@ TEST_CASE("faults are sentences that name the file") {
     CHECK(contains(faultOf(folder.path()), "is 5 x 2 pixels"));
 
     std::ofstream(file, std::ios::binary) << whole;
-    fs::copy_file(file, folder.path() / "tl95 pl0 tv0 pv0.jpg");
-    CHECK(contains(faultOf(folder.path()), "tl95 pl0 tv0 pv0.jpg"));
+    fs::copy_file(file, folder.path() / "tl195 pl0 tv0 pv0.jpg");
+    CHECK(contains(faultOf(folder.path()), "tl195 pl0 tv0 pv0.jpg"));
     CHECK(contains(faultOf(folder.path()), "above the surface"));
     CHECK(contains(faultOf(folder.path() / "nothing"), "there is no such"));
     CHECK(contains(faultOf(file), "is not a database"));
+}
+
+TEST_CASE("images from below the horizon are counted and left out") {
+    const TemporaryFolder folder;
+    const SyntheticBtf btf = smallBtf("jpg");
+    writeSyntheticBtf(folder.path(), btf);
+    const fs::path file = folder.path() / syntheticFile(btf, 20);
+    fs::copy_file(file, folder.path() / "tl95 pl0 tv0 pv0.jpg");
+    fs::copy_file(file, folder.path() / "tl30 pl0 tv90 pv0.jpg");
+    const auto reader = openBtf(folder.path());
+    CHECK(reader->description().belowHorizon == 2);
+    CHECK(reader->description().grid.pairCount() == btf.grid.pairCount());
 }
 
 TEST_CASE("missing and double images are found") {

@@ -38,10 +38,11 @@ TEST_CASE("samples of slices are at the plan's places, in the plan's order, on a
                 CHECK(valueOf(set, grid, k, [](const LightAndView& p) {
                           return p.light.theta - 3 * p.view.theta;
                       }) == doctest::Approx(at.light.theta - 3 * at.view.theta).epsilon(1e-5));
-                // Chords of at most 30 degrees: a smooth wave is met to 4 %.
+                // Chords of at most 30 degrees, of light and view each: a smooth wave is met to
+                // 1 - cos 15 = 3.4 % along one, and to twice that along both.
                 CHECK(std::abs(valueOf(set, grid, k,
                                        [](const LightAndView& p) { return std::cos(p.view.phi); }) -
-                               std::cos(at.view.phi)) < 0.04);
+                               std::cos(at.view.phi)) < 0.069);
             }
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "stages/measure/canvas.h"
+#include "color/srgb8.h"
 
 namespace abrdf {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stages/measure/heat_color.h"
+#include "color/heat_color.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/read/environment_reader.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace abrdf {
+
+EnvironmentFile readEnvironment(const std::filesystem::path& path) {
+    const auto fail = [&](const std::string& why) {
+        throw std::runtime_error(fmt::format(
+            "{}: is no environment: {}; name a picture of longitude and latitude, .exr or .hdr, or "
+            "studio, or sky",
+            path.string(), why));
+    };
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) fail(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.nchannels < 3) fail(fmt::format("it has {} channels", spec.nchannels));
+    constexpr int kMost = 1 << 15;
+    if (spec.width < 2 || spec.height < 1 || spec.width > kMost || spec.height > kMost) {
+        fail(fmt::format("it has {} x {} pixels", spec.width, spec.height));
+    }
+    EnvironmentFile file;
+    file.map.width = spec.width;
+    file.map.height = spec.height;
+    file.map.radiance.resize(static_cast<std::size_t>(spec.width) *
+                             static_cast<std::size_t>(spec.height));
+    file.interopId = spec.get_string_attribute("colorInteropID");
+    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, file.map.radiance.data())) {
+        fail(input->geterror());
+    }
+    return file;
+}
+
+}  // namespace abrdf

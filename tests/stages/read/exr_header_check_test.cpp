@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages/read/exr_header_check.h"
+
+#include "stages/read/decode_image.h"
+#include "stages/write/atlas_writer.h"
+#include "tests/support/reader_faults.h"
+#include "tests/support/small_files.h"
+#include "tests/support/synthetic_btf.h"
+#include "tests/support/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+using namespace abrdf;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A small atlas: tiled, with attributes of many types.
+std::string atlasBytes(const fs::path& folder) {
+    AtlasHeader header;
+    header.grid = AngularGrid(regularDirections(2, 3));
+    header.layout = {AtlasKind::kAngular, 1, 1, 6, 6};
+    header.interopId = "lin_rec709_scene";
+    AtlasWriter writer(folder / "a.exr", header, {});
+    writer.writeRows(0, 6, std::vector<Rgb>(36, Rgb{1, 2, 3}));
+    writer.finish({});
+    return bytesOf(folder / "a.exr");
+}
+
+/// Four bytes of `value` at `offset` behind an attribute's name and type.
+std::string patched(std::string bytes, const std::string& attribute, std::size_t offset,
+                    std::uint32_t value) {
+    const std::size_t place = bytes.find(attribute);
+    REQUIRE(place != std::string::npos);
+    bytes.replace(place + attribute.size() + offset, 4, ByteWriter().put(value).bytes());
+    return bytes;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("unit");
+
+TEST_CASE("a header that is true passes, one that was cut off does not") {
+    const TemporaryFolder folder;
+    const std::string whole = atlasBytes(folder.path());
+    CHECK(beginsAsExr(whole));
+    checkExrHeader(whole, "a.exr");
+    for (std::size_t size = 4; size < 600; size += 23) {
+        CHECK_THROWS_AS(checkExrHeader(whole.substr(0, size), "a.exr"), std::runtime_error);
+    }
+}
+
+TEST_CASE("what a header declares beyond its file is refused before memory is taken") {
+    const TemporaryFolder folder;
+    const std::string whole = atlasBytes(folder.path());
+    const std::string software = std::string("Software") + '\0' + "string" + '\0';
+    const std::string tiles = std::string("tiles") + '\0' + "tiledesc" + '\0';
+    const std::string window = std::string("dataWindow") + '\0' + "box2i" + '\0';
+    for (const std::string& lie :
+         {patched(whole, software, 0, 1500000000), patched(whole, software, 0, 0xffffffff),
+          patched(whole, tiles, 4, 1 << 30), patched(whole, tiles, 8, 0),
+          patched(whole, window, 12, 0x7fffffff), patched(whole, window, 16, 100000000)}) {
+        CHECK_THROWS_AS(checkExrHeader(lie, "a.exr"), std::runtime_error);
+        writeFile(folder.path() / "lie.exr", lie);
+        CHECK(readFault(folder.path() / "lie.exr").find("lie.exr") != std::string::npos);
+        CHECK_THROWS_AS(decodeImage(lie, "lie.exr"), std::runtime_error);
+    }
+}
+
+TEST_SUITE_END();
