@@ -20,6 +20,8 @@ class LowRankMatrix {
     LowRankMatrix(const Eigen::MatrixXf& matrix, const Eigen::MatrixXd& covariance, int rank);
 
     std::size_t rows() const { return outputs_.rows(); }
+    /// Numbers of a reduced() vector.
+    std::size_t vectorSize() const { return outputs_.columns(); }
     std::size_t panels() const { return outputs_.panels(); }
 
     /// V times each vector (a copy of them at full rank): what multiply() takes.

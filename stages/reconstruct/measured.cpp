@@ -14,7 +14,10 @@ namespace {
 class Measured : public Reconstructor {
   public:
     explicit Measured(const ReconstructionTask& task)
-        : isSame_(task.input == task.output), output_(task.output), interpolation_(task.input) {
+        : samples_(task.samples.count()),
+          isSame_(task.input == task.output),
+          output_(task.output),
+          interpolation_(task.input) {
         if (isSame_) return;
         for (const Direction& d : output_.lights()) lights_.push_back(interpolation_.lightPlace(d));
         for (const Direction& d : output_.views()) views_.push_back(interpolation_.viewPlace(d));
@@ -44,7 +47,10 @@ class Measured : public Reconstructor {
                (lightTerms * viewTerms + kLinearTerms * static_cast<double>(output_.pairCount()));
     }
 
+    double modelBytes() const override { return static_cast<double>(samples_ * sizeof(Rgb)); }
+
   private:
+    std::size_t samples_;
     bool isSame_;
     AngularGrid output_;
     PairInterpolation interpolation_;

@@ -12,6 +12,11 @@ namespace abrdf {
 // A new method is one file in this folder and one line in each of these two lists.
 std::unique_ptr<Reconstructor> makePrior(const ReconstructionTask& task);
 std::unique_ptr<Reconstructor> makePublished(const ReconstructionTask& task);
+std::unique_ptr<Reconstructor> makeRadialBasis(const ReconstructionTask& task);
+std::unique_ptr<Reconstructor> makeInverseDistance(const ReconstructionTask& task);
+std::unique_ptr<Reconstructor> makeMicrofacet(const ReconstructionTask& task);
+std::unique_ptr<Reconstructor> makeNearest(const ReconstructionTask& task);
+std::unique_ptr<Reconstructor> makeConstant(const ReconstructionTask& task);
 std::unique_ptr<Reconstructor> makeMeasured(const ReconstructionTask& task);
 
 namespace {
@@ -25,6 +30,17 @@ constexpr std::array kMethods{
         "four to six multiply-adds a pair and sample", SampleWish::kMeasuredPairs, true, makePrior},
     Method{"published", "the poster's method: eight slices, sums of two, radial basis functions",
            "six multiply-adds a pair", SampleWish::kSlices, false, makePublished},
+    Method{"rbf", "radial basis functions over all samples, linear in the distance of directions",
+           "three multiply-adds a pair and sample", SampleWish::kMeasuredPairs, false,
+           makeRadialBasis},
+    Method{"idw", "the four nearest samples by inverse squared distance: renderers of BTFs today",
+           "twelve multiply-adds a pair", SampleWish::kMeasuredPairs, false, makeInverseDistance},
+    Method{"microfacet", "a diffuse body and an anisotropic GGX lobe, fitted to each texel",
+           "some milliseconds a texel", SampleWish::kMeasuredPairs, false, makeMicrofacet},
+    Method{"nearest", "the sample nearest in both directions", "a table look-up a pair",
+           SampleWish::kMeasuredPairs, false, makeNearest},
+    Method{"constant", "Lambert's law: one colour times cos(theta_i)", "three multiply-adds a pair",
+           SampleWish::kMeasuredPairs, false, makeConstant},
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ class Prior : public Reconstructor {
 
     std::size_t texelsAtOnce() const override { return options_.perTexel ? 1 : 32; }
     double multiplyAdds() const override { return material_.multiplyAdds(); }
+    double modelBytes() const override { return material_.modelBytes(); }
 
   private:
     std::shared_ptr<const PriorModel> model_;

@@ -277,4 +277,11 @@ double PriorMaterial::multiplyAdds() const {
            (blend_ < 1 ? 2 : 0) * chroma_.multiplyAdds();
 }
 
+double PriorMaterial::modelBytes() const {
+    const double vectors = (blend_ > 0 ? 4 : 1) * static_cast<double>(luminance_.vectorSize()) +
+                           (blend_ < 1 ? 2 : 0) * static_cast<double>(chroma_.vectorSize());
+    const double scales = blend_ > 0 ? 6 : 3;
+    return sizeof(float) * (vectors + scales);
+}
+
 }  // namespace abrdf

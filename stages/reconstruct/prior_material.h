@@ -28,6 +28,9 @@ class PriorMaterial {
 
     double multiplyAdds() const;
 
+    /// Of a texel's vectors in floats, when they are kept instead of its ABRDF.
+    double modelBytes() const;
+
     const std::vector<PriorTerm>& terms() const { return terms_; }
 
     /// Mean CIE 1976 Delta E of the samples against their predictions from one another.

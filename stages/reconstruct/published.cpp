@@ -124,6 +124,10 @@ class Published : public Reconstructor {
         return 3 * sum;
     }
 
+    double modelBytes() const override {
+        return static_cast<double>(kSubspaces * plan_.samplesPerSubspace() * sizeof(Rgb));
+    }
+
   private:
     struct Slices {
         std::span<const Rgb> axial;

@@ -50,6 +50,9 @@ class Reconstructor {
 
     /// Multiply-adds a texel, all three channels.
     virtual double multiplyAdds() const = 0;
+
+    /// Bytes of what a texel's ABRDF is made from, in floats; what all texels share is not counted.
+    virtual double modelBytes() const = 0;
 };
 
 /// A reconstruction method: one file in this folder.

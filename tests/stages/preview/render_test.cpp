@@ -4,6 +4,7 @@
 #include "abrdf/for_each_texel.h"
 #include "color/delta_e.h"
 #include "stages/preview/built_in_light.h"
+#include "tests/support/linear_look_up.h"
 #include "tests/support/synthetic_atlas.h"
 #include "tests/support/synthetic_btf.h"
 
@@ -97,7 +98,7 @@ TEST_CASE("in a furnace of radiance 1 a Lambertian shows its albedo, on any shap
 }
 
 TEST_CASE(
-    "under one light a pixel is lookUp's, as a ratio to the lobe, and black past the horizon") {
+    "under one light a pixel is the atlas's as a ratio to the lobe, and black past the horizon") {
     const Atlas atlas = glossy();
     const Material material(atlas);
     const LobeProfile lobe(atlas);
@@ -134,7 +135,7 @@ TEST_CASE(
             beyond += theta > kLast ? 1 : 0;
             const Imath::V3d view = point->frame.local(-ray.direction);
             expected = static_cast<float>(fade * lobe.at(halfAngleOf(local, view))) *
-                       lookUp(ratioAtlas, light, directionFromVector(view), 0, 0);
+                       linearLookUp(ratioAtlas, light, directionFromVector(view));
         }
         CHECK(std::abs(picture.color[pixel].r - expected.r) < 2e-5);
         CHECK(std::abs(picture.color[pixel].g - 2 * expected.g) < 2e-5);
