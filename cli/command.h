@@ -39,7 +39,11 @@ void addTrain(CLI::App& app, RunCommand& run);
 void addExport(CLI::App& app, RunCommand& run);
 void addPreview(CLI::App& app, RunCommand& run);
 void addReport(CLI::App& app, RunCommand& run);
+void addRun(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
+
+/// Those of SharedOptions, for the program.
+void addSharedOptions(CLI::App& app, SharedOptions& shared);
 
 /// --pattern and --utia-encoding: for every command that opens a database.
 void addReadOptions(CLI::App& command, ReadOptions& options);

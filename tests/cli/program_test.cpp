@@ -47,7 +47,7 @@ TEST_SUITE_BEGIN("cli");
 TEST_CASE("help is an answer, not a fault, for the program and for each command") {
     const TemporaryFolder folder;
     for (const char* command :
-         {"", "convert", "inspect", "evaluate", "preview", "report", "demo"}) {
+         {"", "convert", "inspect", "evaluate", "preview", "report", "run", "demo"}) {
         const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
         CHECK(run.status == 0);
         CHECK(contains(run.out, "Usage"));
