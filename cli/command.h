@@ -39,6 +39,7 @@ void addTrain(CLI::App& app, RunCommand& run);
 void addExport(CLI::App& app, RunCommand& run);
 void addPreview(CLI::App& app, RunCommand& run);
 void addReport(CLI::App& app, RunCommand& run);
+void addMerge(CLI::App& app, RunCommand& run);
 void addRun(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
 

@@ -21,7 +21,7 @@ void addSharedOptions(CLI::App& app, SharedOptions& shared) {
     app.add_option(
         "--memory", shared.memory,
         "bound on the resident set of convert, as 500M or 2G (2G); of a batch's all together");
-    app.add_option("--progress", shared.progress, "auto | bar | plain | none")
+    app.add_option("--progress", shared.progress, "auto | bar | plain | json | none")
         ->capture_default_str();
     app.add_option("--report", shared.report, "write a JSON report to this file");
     app.add_flag("--json", shared.json, "JSON on standard output instead of text");

@@ -22,11 +22,16 @@ struct Options {
 };
 
 std::string summaryOf(const nlohmann::ordered_json& r) {
-    return fmt::format("{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s\n",
+    const std::string before =
+        r.contains("finished_before") ? ", finished by an earlier run"
+        : r.contains("resumed_tiles")
+            ? fmt::format(", {} tiles from an earlier run", r["resumed_tiles"].get<std::size_t>())
+            : "";
+    return fmt::format("{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s{}\n",
                        r["output"]["path"].get<std::string>(), r["texels"][0].get<int>(),
                        r["texels"][1].get<int>(), r["grid"]["lights"].get<int>(),
                        r["grid"]["views"].get<int>(), r["plan"]["images_read"].get<int>(),
-                       r["time"]["total"].get<double>());
+                       r["time"]["total"].get<double>(), before);
 }
 
 std::string planText(const nlohmann::ordered_json& r) {

@@ -112,6 +112,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addExport(app, run);
     abrdf::addPreview(app, run);
     abrdf::addReport(app, run);
+    abrdf::addMerge(app, run);
     abrdf::addRun(app, run);
     abrdf::addDemo(app, run);
     app.require_subcommand(0, 1);

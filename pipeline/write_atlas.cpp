@@ -175,8 +175,9 @@ std::optional<UnrealCounts> fillItems(const AtlasRun& run, const TileOrder& orde
     return total;
 }
 
-/// Pair by pair into tiles.
-void writeItems(const AtlasRun& run, const TransposedTable& items, const UnrealCounts& counts,
+}  // namespace
+
+void writeItems(const ItemRun& run, const TransposedTable& items, const UnrealCounts& counts,
                 AtlasWriter& writer, const TilesSink& told, const ProgressSink& progress) {
     const TileOrder& order = writer.order();
     const std::size_t size = run.memory.itemTiles;
@@ -219,8 +220,6 @@ void writeItems(const AtlasRun& run, const TransposedTable& items, const UnrealC
     runFlow(flow);
 }
 
-}  // namespace
-
 bool writeTiles(const AtlasRun& run, AtlasWriter& writer, const TilesSink& told,
                 const ProgressSink& progress) {
     if (run.layout.kind == AtlasKind::kAngular) {
@@ -234,7 +233,7 @@ bool writeTiles(const AtlasRun& run, AtlasWriter& writer, const TilesSink& told,
                           scratch);
     const auto counts = fillItems(run, order, items, progress);
     if (!counts) return false;
-    writeItems(run, items, *counts, writer, told, progress);
+    writeItems({run.layout, run.memory, run.type}, items, *counts, writer, told, progress);
     return true;
 }
 

@@ -32,6 +32,17 @@ struct AtlasRun {
     std::filesystem::path scratch;  ///< Folder of scratch files.
 };
 
+/// The last turn of a spatial atlas: from a table of pairs (rows texels, columns pairs in the order
+/// of the tiles) into the tiles that `writer` lacks. counts: of all values, told with the last
+/// tile.
+struct ItemRun {
+    AtlasLayout layout;
+    MemoryPlan memory;
+    PixelType type = PixelType::kHalf;
+};
+void writeItems(const ItemRun& run, const TransposedTable& items, const UnrealCounts& counts,
+                AtlasWriter& writer, const TilesSink& told, const ProgressSink& progress);
+
 /// Makes and appends all tiles that `writer` lacks, in one flow: a run of tiles is fetched, made
 /// and encoded while the one before is written. Returns false where run.endWhereCut ended it.
 bool writeTiles(const AtlasRun& run, AtlasWriter& writer, const TilesSink& told,

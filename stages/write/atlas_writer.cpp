@@ -118,6 +118,18 @@ void AtlasWriter::append(std::size_t count, std::span<const char> chunks) {
     file_->end += place;
 }
 
+void AtlasWriter::appendData(std::span<const char> data) {
+    const auto wide = static_cast<std::size_t>(order_.tilesWide());
+    const std::size_t index = file_->offsets.size();
+    const std::array<std::int32_t, 5> head = {static_cast<std::int32_t>(index % wide),
+                                              static_cast<std::int32_t>(index / wide), 0, 0,
+                                              static_cast<std::int32_t>(data.size())};
+    const auto* begin = reinterpret_cast<const char*>(head.data());
+    std::vector<char> chunk(begin, begin + sizeof head);
+    chunk.insert(chunk.end(), data.begin(), data.end());
+    append(1, chunk);
+}
+
 WrittenTiles AtlasWriter::written() const {
     return {file_->offsets.size(), file_->end};
 }

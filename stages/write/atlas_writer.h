@@ -55,6 +55,9 @@ class AtlasWriter {
     /// Writes the chunks of the next `count` tiles, and hands them to the system.
     void append(std::size_t count, std::span<const char> chunks);
 
+    /// Writes the next tile, whose data are those of a file with the same tiles.
+    void appendData(std::span<const char> data);
+
     /// What was appended so far.
     WrittenTiles written() const;
 
