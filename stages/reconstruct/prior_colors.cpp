@@ -33,9 +33,11 @@ struct Planes {
                                           std::size_t first, std::size_t count, float* result) {
     const float* log = rows.logs[which] + first;
     const float* center = rows.logCenters[which] + first;
+    const float cap = rows.cap;  // Not of `rows`, which the compiler cannot know to be apart.
+    const float floor = rows.floor;
     for (std::size_t i = 0; i < count; ++i) {
-        const float x = smaller(log[i] + center[i], rows.cap);
-        result[i] = larger(portable::exp(x) - rows.floor, 0.0F) * unit;
+        const float x = smaller(log[i] + center[i], cap);
+        result[i] = larger(portable::exp(x) - floor, 0.0F) * unit;
     }
 }
 
@@ -63,9 +65,10 @@ struct Planes {
     const float* g = rows.chroma[1] + first;
     const float* centerR = rows.chromaCenters[0] + first;
     const float* centerG = rows.chromaCenters[1] + first;
+    const auto [meanR, meanG] = rows.meanChroma;
     for (std::size_t i = 0; i < count; ++i) {
-        chroma.r[i] = rows.meanChroma[0] + centerR[i] + r[i];
-        chroma.g[i] = rows.meanChroma[1] + centerG[i] + g[i];
+        chroma.r[i] = meanR + centerR[i] + r[i];
+        chroma.g[i] = meanG + centerG[i] + g[i];
         chroma.b[i] = 3 - chroma.r[i] - chroma.g[i];
     }
 }
