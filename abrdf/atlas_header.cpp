@@ -93,6 +93,10 @@ void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     header.insert("abrdf:extrapolated", IntAttribute(headerCount(atlas.counts.extrapolated)));
     header.insert("abrdf:nonfinite", IntAttribute(headerCount(atlas.counts.nonfinite)));
     header.insert("abrdf:colorSpace", StringAttribute(atlas.colorSpace));
+    if (!atlas.job.empty()) header.insert("abrdf:job", StringAttribute(atlas.job));
+    if (atlas.shard > 0) {
+        header.insert("abrdf:shard", Imf::V2iAttribute({atlas.shard, atlas.shards}));
+    }
     if (!atlas.conversion.empty()) {
         header.insert("abrdf:conversion", StringAttribute(atlas.conversion));
     }
@@ -156,6 +160,13 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
         atlas.conversion = text("abrdf:conversion");
     }
     atlas.interopId = text("colorInteropID");
+    if (const auto* job = header.findTypedAttribute<Imf::StringAttribute>("abrdf:job")) {
+        atlas.job = job->value();
+    }
+    if (const auto* shard = header.findTypedAttribute<Imf::V2iAttribute>("abrdf:shard")) {
+        atlas.shard = shard->value().x;
+        atlas.shards = shard->value().y;
+    }
     const Imath::Box2i& window = header.dataWindow();
     const bool fits =
         texels.x > 0 && texels.y > 0 && texels.x < (1 << 20) && texels.y < (1 << 20) &&

@@ -42,6 +42,9 @@ struct AtlasHeader {
     std::string colorSpace;  ///< OpenColorIO name.
     std::string interopId;   ///< Color Interop Forum id, "unknown" where the space is none of ours.
     std::string conversion;  ///< "sRGB - Texture -> ACEScg": of the input's colours; may be empty.
+    std::string job;         ///< JSON of all that these values depend on; may be empty.
+    int shard = 0;           ///< Of a part of an atlas: 1 .. shards; 0: it is whole.
+    int shards = 0;
 };
 
 constexpr int kAtlasVersion = 1;

@@ -69,12 +69,19 @@ ThreadLimit::ThreadLimit(int threads) : control_(nullptr) {
     gThreads = std::max(1, threads);
 }
 ThreadLimit::~ThreadLimit() = default;
+int threadsInUse() {
+    return gThreads;
+}
 #else
 ThreadLimit::ThreadLimit(int threads)
     : control_(new tbb::global_control(tbb::global_control::max_allowed_parallelism,
                                        static_cast<std::size_t>(std::max(1, threads)))) {}
 ThreadLimit::~ThreadLimit() {
     delete static_cast<tbb::global_control*>(control_);
+}
+int threadsInUse() {
+    return static_cast<int>(
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 #endif
 

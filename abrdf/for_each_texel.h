@@ -23,6 +23,9 @@ class ThreadLimit {
 /// The processors this process may run on.
 int availableThreads();
 
+/// The threads that the loops below use at most.
+int threadsInUse();
+
 /// Calls body(begin, end) for the blocks [begin, end) of `blockSize` texels (the last may be
 /// shorter) that cover 0 .. count-1: in any order, on any thread. The only door to threads: what
 /// is thrown inside is thrown again here, and a cancelled job stops between two blocks.

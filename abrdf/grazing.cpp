@@ -113,15 +113,16 @@ Rgb GrazingMap::value(std::span<const Rgb> inner, const Terms& light, const Term
 AbrdfTile GrazingMap::apply(const AbrdfTile& inner) const {
     if (isIdentity()) return inner;
     AbrdfTile outer(inner.texelCount(), lights_.size() * views_.size());
-    forEachTexelBlock(inner.texelCount(), 1, [&](std::size_t texel, std::size_t) {
-        std::size_t pair = 0;
-        for (const Terms& light : lights_) {
-            for (const Terms& view : views_) {
-                outer[texel][pair++] = value(inner[texel], light, view);
-            }
-        }
-    });
+    forEachTexelBlock(inner.texelCount(), 1,
+                      [&](std::size_t texel, std::size_t) { apply(inner[texel], outer[texel]); });
     return outer;
+}
+
+void GrazingMap::apply(std::span<const Rgb> inner, std::span<Rgb> outer) const {
+    std::size_t pair = 0;
+    for (const Terms& light : lights_) {
+        for (const Terms& view : views_) outer[pair++] = value(inner, light, view);
+    }
 }
 
 }  // namespace abrdf

@@ -6,6 +6,7 @@
 #include "abrdf/cosine.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ class GrazingMap {
 
     /// All pairs of the outer grid for each texel, from all pairs of the inner one.
     AbrdfTile apply(const AbrdfTile& inner) const;
+
+    /// The same of one texel, where something does lie past them.
+    void apply(std::span<const Rgb> inner, std::span<Rgb> outer) const;
 
   private:
     struct Term {

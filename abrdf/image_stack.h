@@ -35,6 +35,8 @@ class ImageStack {
     std::span<const Rgb> image(std::size_t i) const {
         return std::span(values_).subspan(i * texelCount(), texelCount());
     }
+    /// Image after image.
+    std::span<const Rgb> values() const { return values_; }
 
   private:
     std::vector<std::size_t> pairs_;

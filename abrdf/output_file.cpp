@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/output_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -18,12 +19,24 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), temporary_(tempo
     if (file_ == nullptr) fail("cannot be created");
 }
 
+OutputFile::OutputFile(fs::path path, Partial partial)
+    : path_(std::move(path)), temporary_(partialBeside(path_)), isPartial_(true) {
+    const int file = open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) fail("cannot be created");
+    if (ftruncate(file, static_cast<off_t>(partial.keep)) != 0) {
+        close(file);
+        fail("cannot be written");
+    }
+    file_ = fdopen(file, "r+b");
+    if (file_ == nullptr) fail("cannot be created");
+}
+
 OutputFile::~OutputFile() {
-    if (file_ != nullptr) std::fclose(file_);
-    if (!temporary_.empty()) {
+    if (!temporary_.empty() && !isPartial_) {
         std::error_code ignored;
         fs::remove(temporary_, ignored);
     }
+    if (file_ != nullptr) std::fclose(file_);
 }
 
 void OutputFile::fail(const char* what) const {
@@ -45,15 +58,19 @@ void OutputFile::seek(std::uint64_t position) {
     if (fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0) fail("cannot be written");
 }
 
+void OutputFile::flush() {
+    if (std::fflush(file_) != 0) fail("cannot be written");
+}
+
 void OutputFile::commit() {
     // A full disk may show itself only here.
     if (std::ferror(file_) != 0 || std::fflush(file_) != 0 || fsync(fileno(file_)) != 0)
         fail("cannot be written");
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in place");
+    temporary_.clear();
     std::FILE* file = file_;
     file_ = nullptr;
     if (std::fclose(file) != 0) fail("cannot be written");
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in place");
-    temporary_.clear();
 }
 
 void writeWholeFile(const fs::path& path, std::string_view bytes) {
@@ -83,6 +100,10 @@ void checkOutputPath(const fs::path& path) {
 
 fs::path temporaryBeside(const fs::path& path) {
     return path.parent_path() / fmt::format(".{}.abrdf-{}", path.filename().string(), getpid());
+}
+
+fs::path partialBeside(const fs::path& path) {
+    return path.parent_path() / fmt::format(".{}.abrdf-partial", path.filename().string());
 }
 
 }  // namespace abrdf

@@ -15,6 +15,13 @@ namespace abrdf {
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path path);
+
+    /// One that a later run may continue: its temporary is partialBeside(path), of which the first
+    /// `keep` bytes stay; without commit() it stays as it is.
+    struct Partial {
+        std::uint64_t keep = 0;
+    };
+    OutputFile(std::filesystem::path path, Partial partial);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -22,6 +29,8 @@ class OutputFile {
     void write(std::span<const char> bytes);
     std::uint64_t position() const;
     void seek(std::uint64_t position);
+    /// Hands what was written to the system: it stays though this process be killed.
+    void flush();
     void commit();
 
     const std::filesystem::path& path() const { return path_; }
@@ -32,6 +41,7 @@ class OutputFile {
     std::filesystem::path path_;
     std::filesystem::path temporary_;
     std::FILE* file_ = nullptr;
+    bool isPartial_ = false;
 };
 
 /// Writes a whole small file through OutputFile.
@@ -43,5 +53,8 @@ void checkOutputPath(const std::filesystem::path& path);
 
 /// The temporary's name beside `path`: hidden, and different for each process.
 std::filesystem::path temporaryBeside(const std::filesystem::path& path);
+
+/// The name of an unfinished output that may be continued: hidden, the same for each process.
+std::filesystem::path partialBeside(const std::filesystem::path& path);
 
 }  // namespace abrdf

@@ -18,12 +18,15 @@ namespace abrdf {
 
 /// Options that mean the same for every command.
 struct SharedOptions {
-    int threads = 0;  ///< 0: from the environment, else all processors.
+    int threads = 0;     ///< 0: from the environment, else all processors.
+    std::string memory;  ///< As bytesFromText(); empty: 2G.
     std::string progress = "auto";
     std::filesystem::path report;
     bool verbose = false;
     bool quiet = false;
     bool json = false;
+
+    std::uint64_t memoryBytes() const;
 };
 
 /// One command: its options on `app` and, when chosen, what to run (returning the exit status).
@@ -38,7 +41,12 @@ void addExport(CLI::App& app, RunCommand& run);
 void addStress(CLI::App& app, RunCommand& run);
 void addPreview(CLI::App& app, RunCommand& run);
 void addReport(CLI::App& app, RunCommand& run);
+void addMerge(CLI::App& app, RunCommand& run);
+void addRun(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
+
+/// Those of SharedOptions, for the program.
+void addSharedOptions(CLI::App& app, SharedOptions& shared);
 
 /// --pattern and --utia-encoding: for every command that opens a database.
 void addReadOptions(CLI::App& command, ReadOptions& options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/output_file.h"
 #include "cli/command.h"
+#include "pipeline/memory_plan.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -8,6 +9,26 @@
 #include <iostream>
 
 namespace abrdf {
+
+std::uint64_t SharedOptions::memoryBytes() const {
+    return bytesFromText(memory.empty() ? "2G" : memory);
+}
+
+void addSharedOptions(CLI::App& app, SharedOptions& shared) {
+    app.add_option("--threads", shared.threads,
+                   "threads to use (else ABRDF_THREADS, CUE_THREADS, SLURM_CPUS_PER_TASK, all)")
+        ->check(CLI::Range(1, 4096));
+    app.add_option(
+        "--memory", shared.memory,
+        "bound on the resident set of convert, as 500M or 2G (2G); of a batch's all together");
+    app.add_option("--progress", shared.progress, "auto | bar | plain | json | none")
+        ->capture_default_str();
+    app.add_option("--report", shared.report, "write a JSON report to this file");
+    app.add_flag("--json", shared.json, "JSON on standard output instead of text");
+    app.add_flag("-v,--verbose", shared.verbose, "say more");
+    app.add_flag("-q,--quiet", shared.quiet, "say nothing but errors");
+    app.add_option("--config", "a TOML file whose keys are the options' names");
+}
 
 void addReadOptions(CLI::App& command, ReadOptions& options) {
     command.add_option("--pattern", options.pattern,

@@ -2,7 +2,6 @@
 #include "cli/config_file.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <fstream>
@@ -32,17 +31,21 @@ std::string textOf(const toml::node& node, const std::string& key, const std::st
                     node.source().begin.line, key));
 }
 
-std::vector<std::string> optionsFromFile(const std::string& file) {
-    toml::table table;
+}  // namespace
+
+toml::table tableFromFile(const std::string& file) {
     try {
         std::ifstream stream(file);
         if (!stream) throw std::runtime_error(fmt::format("{}: cannot be opened", file));
-        table = toml::parse(stream, file);
+        return toml::parse(stream, file);
     } catch (const toml::parse_error& error) {
         throw std::runtime_error(fmt::format("{}:{}: is not TOML: {}", file,
                                              error.source().begin.line,
                                              std::string(error.description())));
     }
+}
+
+std::vector<std::string> optionsFromTable(const toml::table& table, const std::string& file) {
     std::vector<std::string> options;
     for (const auto& [tomlKey, node] : table) {
         const std::string key(tomlKey.str());
@@ -56,8 +59,6 @@ std::vector<std::string> optionsFromFile(const std::string& file) {
     }
     return options;
 }
-
-}  // namespace
 
 std::vector<std::string> withConfigFile(std::vector<std::string> words) {
     std::string file;
@@ -77,7 +78,7 @@ std::vector<std::string> withConfigFile(std::vector<std::string> words) {
     if (file.empty()) return words;
     const auto command =
         std::ranges::find_if(words, [](const std::string& word) { return !word.starts_with('-'); });
-    const std::vector<std::string> options = optionsFromFile(file);
+    const std::vector<std::string> options = optionsFromTable(tableFromFile(file), file);
     words.insert(command == words.end() ? command : command + 1, options.begin(), options.end());
     return words;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <string>
 #include <vector>
 
@@ -12,5 +14,11 @@ namespace abrdf {
 /// `dry-run = true` for --dry-run, an array for a list with commas, `input` for INPUT.
 /// Throws std::runtime_error that names the file and the line.
 std::vector<std::string> withConfigFile(std::vector<std::string> words);
+
+/// The table of a TOML file. Throws std::runtime_error that names the file and the line.
+toml::table tableFromFile(const std::string& file);
+
+/// Its keys as options, "--texels=64x64"; `input` comes as its bare text.
+std::vector<std::string> optionsFromTable(const toml::table& table, const std::string& file);
 
 }  // namespace abrdf

@@ -17,28 +17,43 @@ struct Options {
     std::string layout = "angular";
     std::string compression = "zip";
     std::string cosine = "keep";
+    std::string shard = "1/1";
     bool dryRun = false;
     bool noClobber = false;
 };
 
 std::string summaryOf(const nlohmann::ordered_json& r) {
-    return fmt::format("{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s\n",
+    const std::string before =
+        r.contains("finished_before") ? ", finished by an earlier run"
+        : r.contains("resumed_tiles")
+            ? fmt::format(", {} tiles from an earlier run", r["resumed_tiles"].get<std::size_t>())
+            : "";
+    return fmt::format("{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s{}\n",
                        r["output"]["path"].get<std::string>(), r["texels"][0].get<int>(),
                        r["texels"][1].get<int>(), r["grid"]["lights"].get<int>(),
                        r["grid"]["views"].get<int>(), r["plan"]["images_read"].get<int>(),
-                       r["time"]["total"].get<double>());
+                       r["time"]["total"].get<double>(), before);
 }
 
 std::string planText(const nlohmann::ordered_json& r) {
     std::string text;
     for (const auto& file : r["images"]) text += file.get<std::string>() + "\n";
     constexpr double kMega = 1e6;
-    return text + fmt::format(
-                      "{} images, {:.1f} MB to read, about {:.0f} MB of memory, {:.1f} MB of "
-                      "output before compression\n",
-                      r["images"].size(), r["estimate"]["bytes_read"].get<double>() / kMega,
-                      r["estimate"]["memory"].get<double>() / kMega,
-                      r["estimate"]["output_bytes_uncompressed"].get<double>() / kMega);
+    const auto& estimate = r["estimate"];
+    text += fmt::format(
+        "{} images, {:.1f} MB to read, about {:.0f} MB of memory, {:.1f} MB of output before "
+        "compression\n",
+        r["images"].size(), estimate["bytes_read"].get<double>() / kMega,
+        estimate["memory"].get<double>() / kMega,
+        estimate["output_bytes_uncompressed"].get<double>() / kMega);
+    if (estimate["scratch_bytes"] != 0) {
+        text += fmt::format(
+            "each image is read once; {:.1f} MB that the memory does not hold go to a scratch file "
+            "in {}\n",
+            estimate["scratch_bytes"].get<double>() / kMega,
+            estimate["scratch_folder"].get<std::string>());
+    }
+    return text;
 }
 
 void warnOfCounts(const nlohmann::ordered_json& counts) {
@@ -65,6 +80,8 @@ int run(Options options, const SharedOptions& shared, const ProgressSink& progre
     options.job.layout = atlasKindFromName(options.layout);
     options.job.compression = compressionFromName(options.compression);
     options.job.divideCosine = options.cosine == "divide";
+    options.job.shard = shardFromText(options.shard);
+    options.job.memory = shared.memoryBytes();
     if (options.noClobber && std::filesystem::exists(options.job.output)) {
         spdlog::info("{}: exists and is kept (--no-clobber)", options.job.output.string());
         return 0;
@@ -116,6 +133,10 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
         ->check(CLI::IsMember({"keep", "divide"}))
         ->capture_default_str();
     command->add_flag("--dry-run", options->dryRun, "say what would be read and written");
+    command->add_flag("--resume", job.resume,
+                      "continue where an earlier run of the same job stopped");
+    command->add_option("--shard", options->shard,
+                        "only part I of N of the map, as 1/4; abrdf merge joins them");
     command->add_flag("--no-clobber", options->noClobber, "keep an existing output");
     command->callback([options, &runCommand] {
         runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {

@@ -77,19 +77,6 @@ std::string commandNames(const CLI::App& app) {
     return names;
 }
 
-void addSharedOptions(CLI::App& app, SharedOptions& shared) {
-    app.add_option("--threads", shared.threads,
-                   "threads to use (else ABRDF_THREADS, CUE_THREADS, SLURM_CPUS_PER_TASK, all)")
-        ->check(CLI::Range(1, 4096));
-    app.add_option("--progress", shared.progress, "auto | bar | plain | none")
-        ->capture_default_str();
-    app.add_option("--report", shared.report, "write a JSON report to this file");
-    app.add_flag("--json", shared.json, "JSON on standard output instead of text");
-    app.add_flag("-v,--verbose", shared.verbose, "say more");
-    app.add_flag("-q,--quiet", shared.quiet, "say nothing but errors");
-    app.add_option("--config", "a TOML file whose keys are the options' names");
-}
-
 int runChosen(const abrdf::RunCommand& run, SharedOptions& shared) {
     logToStderr(shared);
     shared.threads = chosenThreads(shared);
@@ -116,7 +103,7 @@ int runProgram(std::vector<std::string> words) {
     bool listMethods = false;
     app.add_flag("--list-methods", listMethods, "print the methods: name, what it does, cost");
     SharedOptions shared;
-    addSharedOptions(app, shared);
+    abrdf::addSharedOptions(app, shared);
     abrdf::RunCommand run;
     abrdf::addConvert(app, run);
     abrdf::addInspect(app, run);
@@ -126,6 +113,8 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addStress(app, run);
     abrdf::addPreview(app, run);
     abrdf::addReport(app, run);
+    abrdf::addMerge(app, run);
+    abrdf::addRun(app, run);
     abrdf::addDemo(app, run);
     app.require_subcommand(0, 1);
     try {

@@ -2,8 +2,10 @@
 #include "cli/progress_display.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -30,17 +32,21 @@ class Display {
         if (phase_ != tick.phase) {
             phase_ = tick.phase;
             begin_ = now;
+            first_ = tick.done;
             shown_ = now;
             most_ = 0;
         }
         // Ticks come from many threads; the bar never runs backwards.
         if (tick.done <= most_) return;
         most_ = tick.done;
-        const double interval = style_ == ProgressStyle::kBar ? 0.1 : 10.0;
+        const double interval = style_ == ProgressStyle::kBar    ? 0.1
+                                : style_ == ProgressStyle::kJson ? 1.0
+                                                                 : 10.0;
         const bool last = tick.done == tick.total;
         if (style_ == ProgressStyle::kBar && last) {
             std::fputs("\r\033[K", stderr);
-        } else if (secondsBetween(shown_, now) >= interval) {
+        } else if (secondsBetween(shown_, now) >= interval ||
+                   (style_ == ProgressStyle::kJson && last)) {
             shown_ = now;
             print(tick, secondsBetween(begin_, now));
         }
@@ -48,8 +54,18 @@ class Display {
 
   private:
     void print(const ProgressTick& tick, double seconds) const {
-        const double rate = static_cast<double>(tick.done) / std::max(seconds, 1e-9);
+        // What an earlier run did says nothing of this one's speed.
+        const double rate =
+            static_cast<double>(tick.done - std::min(tick.done, first_)) / std::max(seconds, 1e-9);
         const double left = static_cast<double>(tick.total - tick.done) / std::max(rate, 1e-9);
+        if (style_ == ProgressStyle::kJson) {
+            const nlohmann::ordered_json line = {{"phase", tick.phase}, {"unit", tick.unit},
+                                                 {"done", tick.done},   {"total", tick.total},
+                                                 {"seconds", seconds},  {"rate", rate},
+                                                 {"seconds_left", left}};
+            std::fputs((line.dump() + "\n").c_str(), stderr);
+            return;
+        }
         const std::string facts =
             fmt::format("{} {}/{} {}, {:.0f} a second, {:.0f} s left", tick.phase, tick.done,
                         tick.total, tick.unit, rate, left);
@@ -69,6 +85,7 @@ class Display {
     std::string phase_;
     Clock::time_point begin_;
     Clock::time_point shown_;
+    std::size_t first_ = 0;  ///< Done at begin_.
     std::size_t most_ = 0;
 };
 
@@ -77,11 +94,12 @@ class Display {
 ProgressStyle progressStyleFromName(const std::string& name) {
     if (name == "none") return ProgressStyle::kNone;
     if (name == "plain") return ProgressStyle::kPlain;
+    if (name == "json") return ProgressStyle::kJson;
     if (name == "bar") return ProgressStyle::kBar;
     if (name == "auto")
         return isatty(STDERR_FILENO) != 0 ? ProgressStyle::kBar : ProgressStyle::kPlain;
     throw std::invalid_argument(
-        fmt::format("there is no progress '{}': use auto, bar, plain or none", name));
+        fmt::format("there is no progress '{}': use auto, bar, plain, json or none", name));
 }
 
 ProgressSink makeProgressDisplay(ProgressStyle style) {

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/convert.h"
 
-#include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
-#include "color/known_space.h"
-#include "pipeline/unshifted_texels.h"
-#include "stages/pack/pack_texels.h"
-#include "stages/slice/slice_texels.h"
+#include "pipeline/convert_job.h"
+#include "pipeline/tile_journal.h"
+#include "pipeline/write_atlas.h"
+#include "pipeline/write_unshifted.h"
+#include "stages/read/atlas_reader.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 
 namespace abrdf {
@@ -26,180 +29,164 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// All that is decided before the first image is decoded.
-struct Job {
-    OpenedInput input;
-    PlannedMethod planned;
-    FoundPlane found;
-    AngularGrid grid;
-    GrazingMap grazing;  ///< From the elevations that are measured to the grid's.
-    Texels texels;
-    AtlasHeader header;
-
-    AtlasLayout layout() const { return header.layout; }
-    const SampleSet& samples() const { return planned.samples; }
-};
-
-AtlasHeader headerOf(const Job& job, const ConvertOptions& options) {
-    const BtfDescription& description = job.input.description();
-    AtlasHeader header;
-    header.layout = {options.layout, job.texels.width, job.texels.height,
-                     static_cast<int>(job.grid.lights().size()),
-                     static_cast<int>(job.grid.views().size())};
-    header.grid = job.grid;
-    header.method = options.method.name;
-    header.plan = job.planned.planName();
-    header.samples = static_cast<int>(job.samples().count());
-    header.source = description.source;
-    header.cosine = options.divideCosine && description.cosine == Cosine::kKept
-                        ? Cosine::kDivided
-                        : description.cosine;
-    header.maxMeasuredTheta = description.maxMeasuredTheta;
-    header.colorSpace = job.input.colors.spaceName(options.outputSpace);
-    header.conversion = fmt::format("{} -> {}", job.input.inputSpace, header.colorSpace);
-    const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
-    header.interopId = known ? std::string(interopId(*known)) : "unknown";
-    header.counts.missing = job.samples().filled;
-    header.counts.extrapolated = job.grazing.extrapolatedPairs() * header.layout.texelCount();
-    return header;
+/// The samples of all texels, in memory or in a scratch file.
+std::unique_ptr<TransposedTable> tableFor(const ConvertJob& job, const MemoryPlan& memory,
+                                          const fs::path& output) {
+    std::optional<fs::path> scratch;
+    if (!memory.samplesInMemory) scratch = scratchFolder(output);
+    return std::make_unique<TransposedTable>(
+        job.samples().pairs.size(), sizeof(Rgb),
+        bandBegins(job.texelOrder(), memory.runsPerBand * memory.runTiles), scratch);
 }
 
-Job prepare(const ConvertOptions& options, const ProgressSink& progress) {
-    checkOutputPath(options.output);
-    if (fs::exists(options.output) && fs::equivalent(options.output, options.input.input)) {
-        throw std::runtime_error(fmt::format("{}: is the input as well; choose another output",
-                                             options.output.string()));
-    }
-    Job job;
-    checkPlanChoice(methodFromName(options.method.name), options.method.plan);
-    if (options.grid != "input") job.grid = gridFromName(options.grid);
-    job.input = openInput(options.input);
-    if (options.grid == "input") job.grid = job.input.description().grid;
-    job.texels = resolvedTexels(options.texels, job.input.description());
-    const BtfDescription& description = job.input.description();
-    job.grazing =
-        GrazingMap(job.grid, description.maxMeasuredTheta, options.grazing, description.cosine);
-    job.planned = planMethod(options.method, job.input, job.grazing.inner(), progress);
-    job.header = headerOf(job, options);
-    const std::int64_t width = std::int64_t{job.texels.width} * job.layout().views;
-    const std::int64_t height = std::int64_t{job.texels.height} * job.layout().lights;
-    if (width > (1 << 30) || height > (1 << 30)) {
-        throw std::invalid_argument(fmt::format(
-            "an atlas of {} x {} pixels is too large; choose fewer texels or a smaller grid", width,
-            height));
-    }
-    return job;
-}
-
-/// Rows of texels that are reconstructed and written at once: whole tiles, about 16 MB of values.
-int rowsAtOnce(const Job& job, int tileHeight) {
-    const AtlasLayout layout = job.layout();
-    if (layout.kind == AtlasKind::kSpatial) return layout.texelsHigh;
-    const std::uint64_t rowBytes =
-        sizeof(Rgb) * job.grid.pairCount() * static_cast<std::uint64_t>(layout.texelsWide);
-    const int rowsOfTile = tileHeight / layout.lights;
-    const auto tiles = static_cast<int>((std::uint64_t{16} << 20) /
-                                        (rowBytes * static_cast<std::uint64_t>(rowsOfTile)));
-    return std::min(layout.texelsHigh, rowsOfTile * std::max(1, tiles));
+/// Reads all images and turns them into columns of texels.
+ReadFacts readTexels(const ConvertJob& job, const MemoryPlan& memory, TransposedTable& table,
+                     const ProgressSink& progress) {
+    const TileOrder order = job.texelOrder();
+    const auto store = [&](std::size_t image, std::span<const Rgb> texels) {
+        std::span<const Rgb> rows = job.rowsOf(texels);
+        std::vector<Rgb> ordered(order.isRowOrder() ? 0 : rows.size());
+        if (!ordered.empty()) {
+            order.reorder<Rgb>(rows, ordered);
+            rows = ordered;
+        }
+        table.store(image, {reinterpret_cast<const char*>(rows.data()), rows.size_bytes()});
+    };
+    return readImages(job.input, job.samples(), job.texels, job.found.plane, memory.readSlots,
+                      store, progress);
 }
 
 struct Written {
     ValueCounts counts;
+    std::uint64_t dimmed = 0;  ///< As UnrealCounts.
+    PixelType type = PixelType::kHalf;
     std::uint64_t bytes = 0;
-    double reconstructSeconds = 0;
-    bool fits = true;  ///< False: a value is too large for half, and nothing was written.
+    std::size_t resumedTiles = 0;
+    double writeSeconds = 0;
 };
 
-/// All pairs of the grid, of `count` rows of aligned texels.
-ReconstructedTexels reconstructRows(const Job& job, const ImageStack& stack,
-                                    const Reconstructor& reconstructor, int first, int count) {
-    const auto width = static_cast<std::size_t>(job.texels.width);
-    const SlicedTexels sliced =
-        sliceTexels(stack, job.samples(), static_cast<std::size_t>(first) * width,
-                    static_cast<std::size_t>(count) * width);
-    ReconstructedTexels texels =
-        reconstructTexels(sliced.samples, job.grazing.inner(), reconstructor);
-    if (!job.grazing.isIdentity()) texels.abrdfs = job.grazing.apply(texels.abrdfs);
-    return texels;
-}
+/// Where an exception leaves it, the unfinished atlas goes, unless it is to be continued.
+class UnfinishedAtlas {
+  public:
+    UnfinishedAtlas(TileJournal& journal, bool stays) : journal_(journal), stays_(stays) {}
+    ~UnfinishedAtlas() {
+        if (!stays_) journal_.remove();
+    }
+    UnfinishedAtlas(const UnfinishedAtlas&) = delete;
+    UnfinishedAtlas& operator=(const UnfinishedAtlas&) = delete;
 
-/// Reconstructs, packs and writes all texels, block by block.
-Written writeAtlas(const Job& job, const ImageStack& stack, const Reconstructor& reconstructor,
-                   const ConvertOptions& options, PixelType type, const ProgressSink& progress) {
-    const AtlasLayout layout = job.layout();
-    const PackOptions pack{job.input.colors.transform("scene_linear", options.outputSpace),
-                           job.header.cosine == Cosine::kDivided};
-    AtlasWriter writer(options.output, job.header, type, options.compression);
+    void finish() { stays_ = false; }
+
+  private:
+    TileJournal& journal_;
+    bool stays_;
+};
+
+/// Makes and writes all tiles, from where an earlier run stopped on.
+Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const MemoryPlan& memory,
+                   const TransposedTable& table, const TexelMaker& maker,
+                   const ordered_json& identity, const ProgressSink& progress) {
+    ordered_json journalled = identity;
+    if (job.header.shard > 0) {
+        journalled["shard"] = fmt::format("{}/{}", job.header.shard, job.header.shards);
+    }
+    const PixelType first =
+        options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
+    TileJournal journal(options.output, journalled, first, options.resume);
+    UnfinishedAtlas unfinished(journal, options.resume);
     Written written;
-    written.counts = job.header.counts;
-    const int rows = rowsAtOnce(job, writer.tileHeight());
-    const auto reconstructed = [&](int first, int count) {
-        return reconstructRows(job, stack, reconstructor, first, count);
-    };
-    UnshiftedTexels unshifted(job.found.plane, job.input.description(), job.texels, job.grid,
-                              reconstructed);
-    const bool unshift = options.plane.unshift && job.found.plane.height != 0;
-    for (int row = 0; row < layout.texelsHigh; row += rows) {
-        const int count = std::min(rows, layout.texelsHigh - row);
-        const auto width = static_cast<std::size_t>(layout.texelsWide);
-        const auto start = Clock::now();
-        ReconstructedTexels texels =
-            unshift ? unshifted.rows(row, count) : reconstructed(row, count);
-        written.reconstructSeconds += secondsSince(start);
-        finishTexels(texels.abrdfs, job.grid, pack);
-        written.counts.clamped += texels.clamped;
-        written.counts.nonfinite += texels.nonfinite;
-        if (options.pixel == PixelChoice::kAuto && type == PixelType::kHalf &&
-            !fitsHalf(texels.abrdfs.values())) {
-            written.fits = false;
+    written.resumedTiles = journal.written().tiles;
+    while (true) {
+        written.type = journal.type();
+        written.counts = job.header.counts;
+        written.dimmed = 0;
+        const auto add = [&](const UnrealCounts& counts) {
+            written.counts.clamped += counts.clamped;
+            written.counts.nonfinite += counts.nonfinite;
+            written.dimmed += counts.dimmed;
+        };
+        add(journal.counts());
+        AtlasWriter writer(options.output, job.header,
+                           {written.type, options.compression, true, journal.written()});
+        if (journal.written().tiles == 0) journal.add({writer.written(), 0, {}});
+        const bool endWhereCut =
+            options.pixel == PixelChoice::kAuto && written.type == PixelType::kHalf;
+        const AtlasRun run{table,
+                           maker,
+                           job.layout(),
+                           memory,
+                           written.type,
+                           endWhereCut,
+                           scratchFolder(options.output)};
+        const auto told = [&](const TilesAdded& added) {
+            journal.add(added);
+            add(added.counts);
+            written.writeSeconds += added.seconds;
+        };
+        if (writeTiles(run, writer, told, progress)) {
+            const auto finishing = Clock::now();
+            written.bytes = writer.finish(written.counts);
+            written.writeSeconds += secondsSince(finishing);
+            unfinished.finish();
             return written;
         }
-        const AtlasBlock block = layout.kind == AtlasKind::kAngular
-                                     ? packAngular(texels.abrdfs, layout, row, count)
-                                     : packSpatial(texels.abrdfs, layout);
-        written.counts.clamped += writer.writeRows(block.y, block.height, block.pixels);
-        if (progress) {
-            progress({"reconstruct", "texels", static_cast<std::size_t>(row + count) * width,
-                      layout.texelCount()});
-        }
+        journal.restart(PixelType::kFloat);
     }
-    written.bytes = writer.finish(written.counts);
-    return written;
 }
 
-ordered_json reportOf(const Job& job, const ConvertOptions& options) {
-    const BtfDescription& description = job.input.description();
-    ordered_json report;
-    report["command"] = "convert";
-    report["version"] = ABRDF_VERSION;
-    report["input"] = {{"format", description.format},
-                       {"lights", description.grid.lights().size()},
-                       {"views", description.grid.views().size()},
-                       {"width", description.width},
-                       {"height", description.height},
-                       {"images", description.imageCount()},
-                       {"below_horizon", description.belowHorizon},
-                       {"cosine", nameOf(description.cosine)},
-                       {"color_space", job.input.inputSpace}};
-    report["plan"] = {{"name", job.header.plan},
-                      {"samples", job.samples().count()},
-                      {"images_read", job.samples().pairs.size()}};
-    report["method"] = options.method.name;
-    report["texels"] = {job.texels.width, job.texels.height};
-    const ordered_json conversion = {{"what", description.source},
-                                     {"from", job.input.inputSpace},
-                                     {"to", job.header.colorSpace}};
-    report["color"] = {{"config", job.input.colors.origin()},
-                       {"conversions", ordered_json::array({conversion})}};
-    report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
-    report["grazing"] = nameOf(options.grazing);
+/// With --resume an atlas that is finished already is kept. Throws where it is of another job.
+bool isFinished(const ConvertOptions& options, const ordered_json& asked, int shard) {
+    if (!options.resume || !fs::exists(options.output) || fs::exists(partialBeside(options.output)))
+        return false;
+    ordered_json was;
+    int wasShard = shard;
+    if (isAtlas(options.output)) {
+        const AtlasHeader header = readAtlasHeader(options.output);
+        was = ordered_json::parse(header.job, nullptr, false);
+        wasShard = header.shard;
+    }
+    if (!was.is_object()) {
+        throw std::runtime_error(
+            fmt::format("{}: exists, and does not tell of which job it is; remove it, or leave "
+                        "--resume out to replace it",
+                        options.output.string()));
+    }
+    was.erase("values");
+    was.erase("mean");
+    std::string changed = differences(was, asked);
+    if (changed.empty() && wasShard != shard) changed = "it is another shard";
+    if (changed.empty()) return true;
+    throw std::runtime_error(
+        fmt::format("{}: exists and is of another job: {}; remove it, or leave --resume out to "
+                    "replace it",
+                    options.output.string(), changed));
+}
+
+/// The report of a job that was finished before.
+ordered_json finishedReport(const ConvertJob& job, const ConvertOptions& options,
+                            Clock::time_point start) {
+    const AtlasHeader header = readAtlasHeader(options.output);
+    ordered_json report = reportOf(job, options);
+    report["counts"] = {{"clamped", header.counts.clamped},
+                        {"extrapolated", header.counts.extrapolated},
+                        {"nonfinite", header.counts.nonfinite},
+                        {"missing", job.samples().filled}};
+    report["time"] = {
+        {"read", 0.0}, {"reconstruct", 0.0}, {"write", 0.0}, {"total", secondsSince(start)}};
+    report["peak_memory"] = peakMemory();
+    report["finished_before"] = true;
+    report["output"] = {{"path", options.output.string()},
+                        {"bytes", fs::file_size(options.output)}};
     return report;
 }
 
 }  // namespace
 
 ordered_json planConvert(const ConvertOptions& options) {
-    const Job job = prepare(options, {});
+    ConvertOptions still = options;
+    still.plane.search = false;  // That would decode images.
+    const ConvertJob job = prepareConvert(still, {});
+    const MemoryPlan memory = planMemory(job.memory, options.memory);
     std::uint64_t inputBytes = 0;
     const bool hasImages = job.input.reader->table() == nullptr;
     std::vector<std::string> files;
@@ -209,59 +196,110 @@ ordered_json planConvert(const ConvertOptions& options) {
             files.push_back(job.input.reader->fileOf(pair));
         }
     }
-    const std::uint64_t texels = job.layout().texelCount();
-    const std::uint64_t values = texels * job.grid.pairCount();
-    const std::uint64_t channelBytes = options.pixel == PixelChoice::kFloat ? 4 : 2;
-    const int rows = rowsAtOnce(job, job.layout().lights);
-    const std::uint64_t blockValues = job.grid.pairCount() * static_cast<std::uint64_t>(rows) *
-                                      static_cast<std::uint64_t>(job.texels.width);
+    const std::uint64_t values = job.layout().texelCount() * job.grid.pairCount();
     ordered_json report = reportOf(job, options);
     report["dry_run"] = true;
     report["estimate"] = {
         {"bytes_read", inputBytes},
-        {"memory", (std::uint64_t{40} << 20) + sizeof(Rgb) * texels * job.samples().pairs.size() +
-                       (2 * sizeof(Rgb) + 3 * channelBytes) * blockValues},
-        {"output_bytes_uncompressed", 3 * channelBytes * values}};
+        {"memory", memory.peak},
+        {"scratch_bytes", memory.scratchBytes},
+        {"scratch_folder", scratchFolder(options.output).string()},
+        {"output_bytes_uncompressed",
+         3 * bytesOf(options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf) *
+             values}};
     report["images"] = files;
     return report;
 }
 
+namespace {
+
+/// What the flow of tiles needs in memory beforehand: the aligned samples.
+void checkUnshiftedMemory(const ConvertJob& job, const ConvertOptions& options) {
+    const std::uint64_t samples =
+        sizeof(Rgb) * job.samples().pairs.size() * job.texels.count() + job.memory.fixedBytes;
+    const std::uint64_t rows = job.layout().kind == AtlasKind::kSpatial
+                                   ? 3 * sizeof(Rgb) * job.grid.pairCount() * job.texels.count()
+                                   : std::uint64_t{128} << 20;
+    if (samples + rows <= options.memory) return;
+    throw std::invalid_argument(
+        fmt::format("--unshift holds all samples in memory, which is bounded to {} MB; give it "
+                    "--memory {}M or more, or leave it out",
+                    options.memory >> 20, ((samples + rows) >> 20) + 1));
+}
+
+ReadFacts countedIn(ConvertJob& job, ReadFacts facts) {
+    if (job.header.shard <= 1) {
+        job.header.counts.nonfinite = facts.leftOut;
+        job.header.counts.outside = facts.outside;
+    }
+    return facts;
+}
+
+ordered_json countsOf(const ValueCounts& counts, std::uint64_t dimmed) {
+    return {{"clamped", counts.clamped},     {"extrapolated", counts.extrapolated},
+            {"nonfinite", counts.nonfinite}, {"missing", counts.missing},
+            {"outside", counts.outside},     {"dimmed", dimmed}};
+}
+
+}  // namespace
+
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
     const auto start = Clock::now();
-    Job job = prepare(options, progress);
-    job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
-    const ReadStack read =
-        readStack(job.input, job.samples(), job.texels, job.found.plane, progress);
-    job.header.counts.nonfinite = read.leftOut;
-    job.header.plane = options.plane.unshift ? 0 : job.found.plane.height;
-    job.header.margin = marginOf(job.found.plane, job.input.description(), job.texels);
-    job.header.counts.outside = read.outside;
+    ConvertJob job = prepareConvert(options, progress);
+    const ordered_json asked = askedOf(job, options);
+    if (isFinished(options, asked, job.header.shard)) return finishedReport(job, options, start);
+    const MemoryPlan memory = planMemory(job.memory, options.memory);
+    if (job.isUnshifted) checkUnshiftedMemory(job, options);
+    std::unique_ptr<TransposedTable> table;
+    ReadStack aligned;
+    if (job.isUnshifted) {
+        aligned = readStack(job.input, job.samples(), job.texels, job.found.plane, progress);
+    } else {
+        table = tableFor(job, memory, options.output);
+    }
+    const ReadFacts facts =
+        countedIn(job, table ? readTexels(job, memory, *table, progress) : aligned.facts);
+    malloc_trim(0);
     const double readSeconds = secondsSince(start);
 
+    const std::vector<std::size_t>& images = job.samples().pairs;
     const auto reconstructor =
-        buildReconstructor(options.method, job.planned, job.input, read.stack, progress);
-    PixelType type = options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
-    Written written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
-    if (!written.fits) {
-        type = PixelType::kFloat;
-        written = writeAtlas(job, read.stack, *reconstructor, options, type, progress);
+        buildReconstructor(options.method, job.planned, job.input, images, facts, progress);
+    malloc_trim(0);
+    const ordered_json identity =
+        identityOf(asked, facts.hash, meanSamples(images, facts.means, job.samples()),
+                   *reconstructor, job.grazing.inner().pairCount());
+    job.header.job = identity.dump();
+    const TexelMaker maker{
+        TexelSlicer(images, job.samples()), *reconstructor, job.grazing,
+        TexelFinisher(job.grid, {job.input.colors.transform("scene_linear", options.outputSpace),
+                                 job.header.cosine == Cosine::kDivided}),
+        job.grid.pairCount()};
+    Written written;
+    if (table) {
+        written = writeAtlas(job, options, memory, *table, maker, identity, progress);
+    } else {
+        const UnshiftedAtlas made = writeUnshifted(job, options, aligned.stack, maker, progress);
+        written.counts = made.counts;
+        written.dimmed = made.dimmed;
+        written.type = made.type;
+        written.bytes = made.bytes;
     }
     ordered_json report = reportOf(job, options);
-    report["plane"] = jsonOf(job.found, job.input.description().grid);
-    report["counts"] = {{"clamped", written.counts.clamped},
-                        {"extrapolated", written.counts.extrapolated},
-                        {"nonfinite", written.counts.nonfinite},
-                        {"missing", written.counts.missing},
-                        {"outside", written.counts.outside}};
+    report["counts"] = countsOf(written.counts, written.dimmed);
     const double total = secondsSince(start);
-    report["time"] = {{"read", readSeconds},
+    // Tiles are made while others are written: what remains beside reading and writing.
+    report["time"] = {{"read", readSeconds - job.found.seconds},
                       {"align", job.found.seconds},
-                      {"reconstruct", written.reconstructSeconds},
-                      {"write", total - readSeconds - written.reconstructSeconds},
+                      {"reconstruct", std::max(0.0, total - readSeconds - written.writeSeconds)},
+                      {"write", written.writeSeconds},
                       {"total", total}};
     report["peak_memory"] = peakMemory();
-    report["output"] = {
-        {"path", options.output.string()}, {"bytes", written.bytes}, {"pixel", nameOf(type)}};
+    report["scratch_bytes"] = memory.scratchBytes;
+    if (written.resumedTiles > 0) report["resumed_tiles"] = written.resumedTiles;
+    report["output"] = {{"path", options.output.string()},
+                        {"bytes", written.bytes},
+                        {"pixel", nameOf(written.type)}};
     return report;
 }
 

@@ -17,6 +17,15 @@ enum class PixelChoice {
     kFloat,
 };
 
+/// A part of a job: 1 .. count.
+struct Shard {
+    int index = 1;
+    int count = 1;
+};
+
+/// "I/N". Throws std::invalid_argument.
+Shard shardFromText(const std::string& text);
+
 /// The main job: a BTF stack in, an atlas of reconstructed ABRDFs out.
 struct ConvertOptions {
     InputOptions input;
@@ -31,9 +40,14 @@ struct ConvertOptions {
     Compression compression = Compression::kZip;
     std::string outputSpace = "scene_linear";
     bool divideCosine = false;
+    std::uint64_t memory = std::uint64_t{2} << 30;  ///< Bound on the resident set, bytes.
+    bool resume = false;  ///< Continue what an earlier run left, and leave what can be continued.
+    /// A part of the atlas: some rows of texels, always in angular layout; merge() joins them.
+    Shard shard;
 };
 
-/// What a job would do, without decoding a pixel: images to be read, bytes, memory, output size.
+/// What a job would do, without decoding a pixel: images to be read, bytes, memory, scratch files,
+/// output size.
 nlohmann::ordered_json planConvert(const ConvertOptions& options);
 
 /// Does the job; the output file appears whole or not at all. Returns the report of interface.md.

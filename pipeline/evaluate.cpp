@@ -96,8 +96,10 @@ Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input,
     result.planned = planMethod(choice, input, grid, progress);
     const SampleSet& samples = result.planned.samples;
     result.found = planeOf(result.planned, plane, input, texels, progress);
-    const ImageStack stack = readStack(input, samples, texels, result.found.plane, progress).stack;
-    const auto reconstructor = buildReconstructor(choice, result.planned, input, stack, progress);
+    const ReadStack read = readStack(input, samples, texels, result.found.plane, progress);
+    const ImageStack& stack = read.stack;
+    const auto reconstructor =
+        buildReconstructor(choice, result.planned, input, stack.pairs(), read.facts, progress);
     const SlicedTexels sliced = sliceTexels(stack, samples, 0, stack.texelCount());
     const auto all = [&](int, int) {
         return reconstructTexels(sliced.samples, grid, *reconstructor);

@@ -11,9 +11,12 @@
 #include "stages/reconstruct/reconstructor.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace abrdf {
 
@@ -36,6 +39,10 @@ struct InputOptions {
 struct Texels {
     int width = 1;
     int height = 1;
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
 };
 
 /// "WxH" or "full". Throws std::invalid_argument.
@@ -79,14 +86,33 @@ struct Plane {
     Edges edges = Edges::kPeriodic;
 };
 
-struct ReadStack {
-    ImageStack stack;
+/// Receives the linear texels of image `image` (of samples.pairs), row by row; from any thread.
+using ImageSink = std::function<void(std::size_t image, std::span<const Rgb> texels)>;
+
+/// What is known of all images once they were read.
+struct ReadFacts {
     std::uint64_t leftOut = 0;  ///< Pixels that were NaN, infinite or negative.
     std::uint64_t outside = 0;  ///< Pixels of the plane that lie outside their image: NaN.
+    std::vector<Rgb> means;     ///< Of each image over its valid texels; NaN where it has none.
+    /// Texels that are spread over the images, the same of each, image after image; none where
+    /// there is only one texel.
+    std::vector<Rgb> someTexels;
+    std::uint64_t hash = 0;  ///< contentHash() of all their texels.
 };
 
-/// Reads, linearises, shifts and averages the images of samples.pairs in parallel, and opens no
-/// other image; a table is evaluated instead, one "image" a sample.
+/// Reads, linearises, shifts and averages the images of samples.pairs in parallel, at most `atOnce`
+/// under way, and opens no other image; a table is evaluated instead, one "image" of one texel a
+/// sample.
+ReadFacts readImages(const OpenedInput& input, const SampleSet& samples, Texels texels,
+                     const Plane& plane, std::size_t atOnce, const ImageSink& sink,
+                     const ProgressSink& progress);
+
+struct ReadStack {
+    ImageStack stack;
+    ReadFacts facts;
+};
+
+/// The same into memory.
 ReadStack readStack(const OpenedInput& input, const SampleSet& samples, Texels texels,
                     const Plane& plane, const ProgressSink& progress);
 
@@ -99,7 +125,8 @@ inline ReadStack readStack(const OpenedInput& input, const SampleSet& samples, T
 /// "tl030 pl090 tv015 pv060": a pair as the databases write it.
 std::string pairName(const LightAndView& pair);
 
-/// Largest resident set so far, in bytes.
+/// Largest resident set so far, and the present one, in bytes.
 std::uint64_t peakMemory();
+std::uint64_t residentMemory();
 
 }  // namespace abrdf

@@ -38,18 +38,16 @@ struct PlannedMethod {
 PlannedMethod planMethod(const MethodChoice& choice, const OpenedInput& input,
                          const AngularGrid& output, const ProgressSink& progress);
 
-/// The mean over all texels of each sample; a sample that no texel has valid is that of its
-/// nearest valid neighbour.
-std::vector<Rgb> meanSamples(const ImageStack& stack, const SampleSet& samples);
+/// The mean over all texels of each sample, from the means of the images; a sample that no texel
+/// has valid is that of its nearest valid neighbour.
+/// images: the pairs of the images, ascending; imageMeans: ReadFacts::means.
+std::vector<Rgb> meanSamples(std::span<const std::size_t> images, std::span<const Rgb> imageMeans,
+                             const SampleSet& samples);
 
-/// Samples of texels that are spread over the stack, one after the other; none where it has only
-/// one.
-std::vector<Rgb> samplesOfSomeTexels(const ImageStack& stack, const SampleSet& samples);
-
-/// The reconstructor for what was planned. stack: holds the samples.
-std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
-                                                  const PlannedMethod& planned,
-                                                  const OpenedInput& input, const ImageStack& stack,
-                                                  const ProgressSink& progress);
+/// The reconstructor for what was planned, for the material of these images, whose pairs are
+/// `images`, ascending.
+std::unique_ptr<Reconstructor> buildReconstructor(
+    const MethodChoice& choice, const PlannedMethod& planned, const OpenedInput& input,
+    std::span<const std::size_t> images, const ReadFacts& facts, const ProgressSink& progress);
 
 }  // namespace abrdf

@@ -35,7 +35,8 @@ StressMaterial measuredMaterial(const fs::path& path, const StressOptions& optio
     const AngularGrid grid = input.description().grid;
     const SampleSet everything = samplesFor(methodFromName("measured"), {}, input, grid);
     const ReadStack read = readStack(input, everything, {1, 1}, {}, progress);
-    auto values = std::make_shared<std::vector<Rgb>>(meanSamples(read.stack, everything));
+    auto values = std::make_shared<std::vector<Rgb>>(
+        meanSamples(read.stack.pairs(), read.facts.means, everything));
     input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)").apply(*values);
     for (Rgb& c : *values) c = {std::max(c.r, 0.0F), std::max(c.g, 0.0F), std::max(c.b, 0.0F)};
     auto between = std::make_shared<const PairInterpolation>(grid);

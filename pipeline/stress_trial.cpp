@@ -120,7 +120,7 @@ StressOutcome runStressTrial(const StressMethod& method, const StressTrial& tria
     task.options.saturated = trial.saturated;
     try {
         if (method.method->needsPrior) {
-            task.mean = meanSamples(left.stack, left.set);
+            task.mean = meanSamples(left.stack.pairs(), left.stack.values(), left.set);
             task.prior = left.kept.size() == samples.count()
                              ? model
                              : std::make_shared<const PriorModel>(withSamples(*model, left.kept));

@@ -43,9 +43,7 @@ ReconstructedTexels UnshiftedTexels::rows(int first, int count) {
             ++end;
         }
         const ReconstructedTexels more = reconstruct_(begin, end - begin);
-        result.clamped += more.clamped;
-        result.nonfinite += more.nonfinite;
-        result.dimmed += more.dimmed;
+        result.unreal += more.unreal;
         const std::size_t values = width * grid_.pairCount();
         for (int y = begin; y < end; ++y) {
             AbrdfTile& tile =

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abrdf/abrdf_tile.h"
 #include "abrdf/angular_grid.h"
 #include "abrdf/atlas_layout.h"
+#include "abrdf/pixel_type.h"
+#include "abrdf/tile_order.h"
 #include "color/color_config.h"
+#include "color/rgb.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace abrdf {
@@ -16,23 +20,36 @@ struct PackOptions {
     bool divideCosine = false;     ///< Divide by cos(theta_i); at least cos(89.9 degrees).
 };
 
-/// The final values of texels: cosine and colour space applied, in place.
-void finishTexels(AbrdfTile& abrdfs, const AngularGrid& grid, const PackOptions& options);
+/// Makes the final values of texels: cosine and colour space. Built once a job, then used from any
+/// thread.
+class TexelFinisher {
+  public:
+    TexelFinisher(const AngularGrid& grid, PackOptions options);
 
-/// A rectangle of atlas pixels, row by row.
-struct AtlasBlock {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-    std::vector<Rgb> pixels;
+    /// In place; abrdfs: all pairs of the grid, texel after texel.
+    void finish(std::span<Rgb> abrdfs) const;
+
+  private:
+    PackOptions options_;
+    std::vector<float> factors_;  ///< Of each light; empty where the cosine stays.
+    std::size_t views_;
 };
 
-/// Whole rows of texels [firstRow, firstRow + rows) in an angular atlas: one rectangle.
-/// abrdfs: the texels of these rows, row by row.
-AtlasBlock packAngular(const AbrdfTile& abrdfs, const AtlasLayout& layout, int firstRow, int rows);
+/// Packs a tile of an angular atlas as OpenEXR stores it. abrdfs: all pairs of its texels, texel
+/// after texel in the tile's order. packed: 3 channels of the tile's pixels.
+/// Returns how many values past the range of halfs were cut.
+std::uint64_t packAngularTile(std::span<const Rgb> abrdfs, const AtlasLayout& layout,
+                              const TileOrder::Tile& tile, PixelType type, std::span<char> packed);
 
-/// All texels in a spatial atlas.
-AtlasBlock packSpatial(const AbrdfTile& abrdfs, const AtlasLayout& layout);
+/// The values of a spatial atlas before they are packed: of each texel its pairs in the order of
+/// the atlas's tiles, 3 channels each, as halfs or floats. items: for all texels of abrdfs.
+/// Returns how many values past the range of halfs were cut.
+std::uint64_t itemsFromTexels(std::span<const Rgb> abrdfs, const TileOrder& order, PixelType type,
+                              std::span<char> items);
+
+/// Packs a tile of a spatial atlas. band: of each texel the items of the same pairs, texel after
+/// texel; the tile's are those from `first` on.
+void packSpatialTile(std::span<const char> band, std::size_t first, const AtlasLayout& layout,
+                     const TileOrder::Tile& tile, PixelType type, std::span<char> packed);
 
 }  // namespace abrdf

@@ -56,14 +56,6 @@ Eigen::MatrixXd covarianceOf(const PriorModel& model, const std::vector<PriorTer
     return sum;
 }
 
-/// Chroma that sums to 3, none of it negative; channels of scale 0 are black.
-Rgb normalized(Rgb chroma, Rgb scale) {
-    const Rgb bounded = {scale.r > 0 ? std::max(chroma.r, 0.0F) : 0,
-                         scale.g > 0 ? std::max(chroma.g, 0.0F) : 0,
-                         scale.b > 0 ? std::max(chroma.b, 0.0F) : 0};
-    return 3 / std::max(bounded.r + bounded.g + bounded.b, 1e-30F) * bounded;
-}
-
 }  // namespace
 
 PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_t> rowOf,
@@ -82,6 +74,8 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
     const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
     const std::vector<LightAndView>& outputs = fewRows ? isotropic.distinct : model.outputs;
     for (std::size_t& row : rowOf_) row = fewRows ? isotropic.rowOf[row] : row;
+    rowsArePairs_ = rowOf_.size() == outputs.size();
+    for (std::size_t i = 0; i < rowOf_.size(); ++i) rowsArePairs_ = rowsArePairs_ && rowOf_[i] == i;
 
     const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
     luminance_ = LowRankMatrix(map.matrix, covarianceOf(model, terms_), options.rank);
@@ -236,51 +230,44 @@ struct PriorMaterial::Products {
     std::size_t firstRow = 0;
 };
 
-PriorMaterial::Products PriorMaterial::multiply(const Inputs& inputs, std::size_t firstPanel,
-                                                std::size_t panels) const {
-    Products products;
+void PriorMaterial::multiply(const Inputs& inputs, std::size_t firstPanel, std::size_t panels,
+                             Products& products) const {
     products.stride = panels * PackedMatrix::kPanel;
     products.firstRow = firstPanel * PackedMatrix::kPanel;
-    const auto apply = [&](const LowRankMatrix& matrix, const std::vector<float>& vectors) {
-        std::vector<float> result(inputs.scales.size() * products.stride);
+    const auto apply = [&](const LowRankMatrix& matrix, const std::vector<float>& vectors,
+                           std::vector<float>& result) {
+        result.resize(inputs.scales.size() * products.stride);
         matrix.multiply(vectors, firstPanel, panels, result.data(), products.stride);
-        return result;
     };
     for (std::size_t i = 0; i < (blend_ > 0 ? 4 : 1); ++i) {
-        products.logs[i] = apply(luminance_, inputs.logs[i]);
+        apply(luminance_, inputs.logs[i], products.logs[i]);
     }
     for (std::size_t c = 0; c < (blend_ < 1 ? 2 : 0); ++c) {
-        products.chroma[c] = apply(chroma_, inputs.chroma[c]);
+        apply(chroma_, inputs.chroma[c], products.chroma[c]);
     }
-    return products;
 }
 
-Rgb PriorMaterial::colorOf(const Products& products, const TexelScale& scale, std::size_t texel,
-                           std::size_t row) const {
-    const std::size_t place = texel * products.stride + row;
-    const auto light = [&](std::size_t i, float unit) {
-        const float center = logCenters_[i].output[products.firstRow + row];
-        const float x = std::min(products.logs[i][place] + center, cap_);
-        return std::max(portable::exp(x) - kFloor, 0.0F) * unit;
+PriorRows PriorMaterial::rowsOf(const Products& products, const TexelScale& scale,
+                                std::size_t texel) const {
+    PriorRows rows;
+    const auto pieceOf = [&](const std::vector<float>& product) {
+        return product.empty() ? nullptr : product.data() + texel * products.stride;
     };
-    Rgb chroma;
-    if (blend_ < 1) {
-        const auto kriged = [&](std::size_t c) {
-            return scale.meanChroma[c] + chromaCenters_[c].output[products.firstRow + row] +
-                   products.chroma[c][place];
-        };
-        const float r = kriged(0);
-        const float g = kriged(1);
-        chroma += (1 - blend_) * normalized({r, g, 3 - r - g}, scale.channel);
+    for (std::size_t i = 0; i < rows.logs.size(); ++i) {
+        rows.logs[i] = pieceOf(products.logs[i]);
+        rows.logCenters[i] = logCenters_[i].output.data() + products.firstRow;
     }
-    if (blend_ > 0) {
-        constexpr float kLeast = 1e-9F;
-        chroma += blend_ * normalized({std::max(light(1, scale.channel.r), kLeast),
-                                       std::max(light(2, scale.channel.g), kLeast),
-                                       std::max(light(3, scale.channel.b), kLeast)},
-                                      scale.channel);
+    for (std::size_t c = 0; c < rows.chroma.size(); ++c) {
+        rows.chroma[c] = pieceOf(products.chroma[c]);
+        rows.chromaCenters[c] = chromaCenters_[c].output.data() + products.firstRow;
     }
-    return light(0, scale.luminance) * chroma;
+    rows.meanChroma = scale.meanChroma;
+    rows.luminance = scale.luminance;
+    rows.channel = scale.channel;
+    rows.cap = cap_;
+    rows.floor = kFloor;
+    rows.blend = blend_;
+    return rows;
 }
 
 void PriorMaterial::reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const {
@@ -293,23 +280,23 @@ void PriorMaterial::reconstruct(std::span<const Rgb> samples, std::span<Rgb> abr
 
     const std::size_t texels = inputs.scales.size();
     const std::size_t rows = luminance_.rows();
-    std::vector<Rgb> colors(texels * rows);
+    // Where each pair has a row of its own they are written in place.
+    std::vector<Rgb> shared(rowsArePairs_ ? 0 : texels * rows);
+    Rgb* colors = rowsArePairs_ ? abrdfs.data() : shared.data();
+    Products products;
     constexpr std::size_t kPanels = 8;  // Their products stay in a core's own cache.
     for (std::size_t panel = 0; panel < luminance_.panels(); panel += kPanels) {
-        const std::size_t first = panel * PackedMatrix::kPanel;
-        const Products products =
-            multiply(inputs, panel, std::min(kPanels, luminance_.panels() - panel));
+        multiply(inputs, panel, std::min(kPanels, luminance_.panels() - panel), products);
+        const std::size_t first = products.firstRow;
         const std::size_t count = std::min(products.stride, rows - first);
         for (std::size_t t = 0; t < texels; ++t) {
-            for (std::size_t i = 0; i < count; ++i) {
-                colors[t * rows + first + i] = colorOf(products, inputs.scales[t], t, i);
-            }
+            priorColors(rowsOf(products, inputs.scales[t], t), count, colors + t * rows + first);
         }
     }
     const std::size_t pairs = rowOf_.size();
-    for (std::size_t t = 0; t < texels; ++t) {
+    for (std::size_t t = 0; !rowsArePairs_ && t < texels; ++t) {
         for (std::size_t i = 0; i < pairs; ++i) {
-            abrdfs[t * pairs + i] = colors[t * rows + rowOf_[i]];
+            abrdfs[t * pairs + i] = shared[t * rows + rowOf_[i]];
         }
     }
 }

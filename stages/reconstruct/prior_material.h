@@ -5,6 +5,7 @@
 #include "stages/reconstruct/censored_samples.h"
 #include "stages/reconstruct/low_rank.h"
 #include "stages/reconstruct/prior_chroma.h"
+#include "stages/reconstruct/prior_colors.h"
 #include "stages/reconstruct/prior_map.h"
 #include "stages/reconstruct/reconstructor.h"
 
@@ -68,9 +69,9 @@ class PriorMaterial {
     static Center centered(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& input);
     void centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors);
     void addTexel(std::span<const Rgb> samples, Inputs& inputs) const;
-    Products multiply(const Inputs& inputs, std::size_t firstPanel, std::size_t panels) const;
-    Rgb colorOf(const Products& products, const TexelScale& scale, std::size_t texel,
-                std::size_t row) const;
+    void multiply(const Inputs& inputs, std::size_t firstPanel, std::size_t panels,
+                  Products& products) const;
+    PriorRows rowsOf(const Products& products, const TexelScale& scale, std::size_t texel) const;
 
     double scaleFactor_;
     std::size_t sampleCount_;
@@ -78,6 +79,7 @@ class PriorMaterial {
     /// little room for a highlight between them.
     float cap_;
     std::vector<std::size_t> rowOf_;  ///< Of each output, its row of the maps.
+    bool rowsArePairs_ = false;       ///< Is rowOf_[i] = i for all?
     std::vector<PriorTerm> terms_;
     std::optional<CensoredSamples> censored_;  ///< Where samples may be clipped.
     LowRankMatrix luminance_;

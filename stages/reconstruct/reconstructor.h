@@ -78,19 +78,36 @@ std::span<const Method> methods();
 /// Throws std::invalid_argument for an unknown name, listing the known ones.
 const Method& methodFromName(const std::string& name);
 
-struct ReconstructedTexels {
-    AbrdfTile abrdfs;
-    std::uint64_t clamped = 0;    ///< Values that came out negative and were set to 0.
-    std::uint64_t nonfinite = 0;  ///< Values that came out NaN or infinite and were set to 0.
-    /// Values above kMostOfSamples times the texel's largest sample, dimmed to that: a highlight
+/// How many values a reconstruction made that no light has.
+struct UnrealCounts {
+    std::uint64_t clamped = 0;    ///< Negative ones, set to 0.
+    std::uint64_t nonfinite = 0;  ///< NaN and infinite ones, set to 0.
+    /// Those above kMostOfSamples times the texel's largest sample, dimmed to that: a highlight
     /// that the samples only suggest is not made up at any height.
     std::uint64_t dimmed = 0;
+
+    UnrealCounts& operator+=(const UnrealCounts& other) {
+        clamped += other.clamped;
+        nonfinite += other.nonfinite;
+        dimmed += other.dimmed;
+        return *this;
+    }
 };
 
 inline constexpr float kMostOfSamples = 4;
 
-/// The stage: every texel of a tile, in parallel. No negative, infinite or NaN value leaves it, and
-/// none above kMostOfSamples times the texel's largest sample.
+/// The stage for `texels` texels, at most reconstructor.texelsAtOnce(), where it is called. No
+/// negative, infinite or NaN value leaves it, and none above kMostOfSamples times the texel's
+/// largest sample.
+UnrealCounts reconstructBlock(std::span<const Rgb> samples, std::size_t texels,
+                              const Reconstructor& reconstructor, std::span<Rgb> abrdfs);
+
+struct ReconstructedTexels {
+    AbrdfTile abrdfs;
+    UnrealCounts unreal;
+};
+
+/// The stage for every texel of a tile, in parallel.
 ReconstructedTexels reconstructTexels(const AbrdfTile& samples, const AngularGrid& output,
                                       const Reconstructor& reconstructor);
 

@@ -2,93 +2,59 @@
 #include "stages/write/atlas_writer.h"
 
 #include "abrdf/for_each_texel.h"
-#include "stages/write/exr_stream.h"
-
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfTiledOutputFile.h>
-#include <fmt/format.h>
+#include "abrdf/output_file.h"
+#include "abrdf/packed_lines.h"
+#include "stages/write/exr_head.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
-#include <vector>
 
 namespace abrdf {
 
 namespace {
 
-constexpr float kLargestHalf = 65504;
+constexpr std::size_t kChunkHead = 5 * sizeof(std::int32_t);
 
-Imf::Compression exrCompression(Compression compression) {
-    switch (compression) {
-        case Compression::kNone:
-            return Imf::NO_COMPRESSION;
-        case Compression::kZips:
-            return Imf::ZIPS_COMPRESSION;
-        case Compression::kZip:
-            return Imf::ZIP_COMPRESSION;
-        case Compression::kPiz:
-            return Imf::PIZ_COMPRESSION;
+/// Bytes of the data of a chunk that begins with `head`: its fifth number.
+std::uint64_t dataBytes(const char* head) {
+    std::int32_t size = 0;
+    std::memcpy(&size, head + 4 * sizeof size, sizeof size);
+    return static_cast<std::uint64_t>(size);
+}
+
+/// Where the tiles of an unfinished file begin.
+std::vector<std::uint64_t> offsetsIn(const std::filesystem::path& partial, std::uint64_t begin,
+                                     const WrittenTiles& written) {
+    std::vector<std::uint64_t> offsets;
+    std::ifstream stream(partial, std::ios::binary);
+    std::array<char, kChunkHead> head{};
+    std::uint64_t place = begin;
+    for (std::size_t i = 0; i < written.tiles; ++i) {
+        stream.seekg(static_cast<std::streamoff>(place));
+        if (!stream.read(head.data(), head.size())) break;
+        offsets.push_back(place);
+        place += head.size() + dataBytes(head.data());
     }
-    return Imf::ZIP_COMPRESSION;
-}
-
-/// The smallest multiple of `size` that is at least 64, so that tiny tiles are bundled.
-int bundled(int size) {
-    return size * ((63 + size) / size);
-}
-
-Imf::TileDescription tilesOf(const AtlasLayout& layout) {
-    const bool angular = layout.kind == AtlasKind::kAngular;
-    const int width = bundled(angular ? layout.views : layout.texelsWide);
-    const int height = bundled(angular ? layout.lights : layout.texelsHigh);
-    return {static_cast<unsigned>(width), static_cast<unsigned>(height), Imf::ONE_LEVEL};
-}
-
-Imf::Header exrHeader(const AtlasHeader& atlas, PixelType type, Compression compression) {
-    Imf::Header header(atlas.layout.width(), atlas.layout.height());
-    header.compression() = exrCompression(compression);
-    header.setTileDescription(tilesOf(atlas.layout));
-    for (const char* channel : {"R", "G", "B"}) {
-        header.channels().insert(channel,
-                                 Imf::Channel(type == PixelType::kHalf ? Imf::HALF : Imf::FLOAT));
+    if (offsets.size() != written.tiles || (written.tiles > 0 && place != written.end)) {
+        throw std::runtime_error(partial.string() +
+                                 ": is not what its journal says; remove both and begin anew");
     }
-    storeAtlasHeader(atlas, header);
-    return header;
+    return offsets;
 }
 
-/// `pixels` as packed halfs; values past the range are cut to it and counted.
-std::vector<half> halfPixels(std::span<const Rgb> pixels, std::uint64_t& cut) {
-    std::vector<half> halfs(3 * pixels.size());
-    const auto halfOf = [](float value) { return half(std::min(value, kLargestHalf)); };
-    forEachTexel(pixels.size(), [&](std::size_t i) {
-        halfs[3 * i] = halfOf(pixels[i].r);
-        halfs[3 * i + 1] = halfOf(pixels[i].g);
-        halfs[3 * i + 2] = halfOf(pixels[i].b);
-    });
-    cut += static_cast<std::uint64_t>(std::ranges::count_if(pixels, [](const Rgb& c) {
-        return std::max({c.r, c.g, c.b}) > kLargestHalf;
-    }));
-    return halfs;
+int cellWidthOf(const AtlasLayout& layout) {
+    return layout.kind == AtlasKind::kAngular ? layout.views : layout.texelsWide;
+}
+
+int cellHeightOf(const AtlasLayout& layout) {
+    return layout.kind == AtlasKind::kAngular ? layout.lights : layout.texelsHigh;
 }
 
 }  // namespace
-
-std::string nameOf(PixelType type) {
-    return type == PixelType::kHalf ? "half" : "float";
-}
-
-Compression compressionFromName(const std::string& name) {
-    if (name == "none") return Compression::kNone;
-    if (name == "zips") return Compression::kZips;
-    if (name == "zip") return Compression::kZip;
-    if (name == "piz") return Compression::kPiz;
-    throw std::invalid_argument(
-        fmt::format("there is no compression '{}': use none, zips, zip or piz", name));
-}
 
 bool fitsHalf(std::span<const Rgb> values) {
     return std::ranges::all_of(values, [](const Rgb& c) {
@@ -97,69 +63,122 @@ bool fitsHalf(std::span<const Rgb> values) {
 }
 
 struct AtlasWriter::File {
-    ExrStream stream;
-    PixelType type;
-    Imf::Header header;
-    std::unique_ptr<Imf::TiledOutputFile> output;
+    ExrHead head;
+    std::uint64_t begin;  ///< Of the first chunk; the table of offsets stands before it.
+    std::vector<std::uint64_t> offsets;
+    std::uint64_t end;
+    std::unique_ptr<OutputFile> output;
 
-    File(const std::filesystem::path& path, const AtlasHeader& atlas, PixelType pixelType,
-         Compression compression)
-        : stream(path),
-          type(pixelType),
-          header(exrHeader(atlas, pixelType, compression)),
-          output(std::make_unique<Imf::TiledOutputFile>(stream, header, 0)) {}
-
-    void writeTiles(int firstRow, int rows, const char* base, std::size_t channelSize) {
-        const auto width = static_cast<std::size_t>(header.dataWindow().max.x + 1);
-        const std::size_t pixelSize = 3 * channelSize;
-        // OpenEXR addresses a pixel (x, y) of the whole image; ours begin at firstRow.
-        const auto origin = reinterpret_cast<std::uintptr_t>(base) -
-                            static_cast<std::uintptr_t>(firstRow) * width * pixelSize;
-        Imf::FrameBuffer buffer;
-        std::size_t channel = 0;
-        for (const char* name : {"R", "G", "B"}) {
-            buffer.insert(name, Imf::Slice(type == PixelType::kHalf ? Imf::HALF : Imf::FLOAT,
-                                           reinterpret_cast<char*>(origin + channel * channelSize),
-                                           pixelSize, width * pixelSize));
-            ++channel;
+    File(const std::filesystem::path& path, const AtlasHeader& header, const TileOrder& order,
+         const AtlasWriterOptions& options, int tileWidth, int tileHeight)
+        : head(header, options.type, options.compression, tileWidth, tileHeight),
+          begin(head.bytes().size() + order.tiles() * sizeof(std::uint64_t)),
+          offsets(offsetsIn(partialBeside(path), begin, options.written)),
+          end(std::max(begin, options.written.end)),
+          output(options.resumable
+                     ? std::make_unique<OutputFile>(path, OutputFile::Partial{options.written.end})
+                     : std::make_unique<OutputFile>(path)) {
+        output->write(head.bytes());
+        if (offsets.empty()) {
+            output->write(std::vector<char>(begin - head.bytes().size()));
+        } else {
+            output->seek(end);
         }
-        output->setFrameBuffer(buffer);
-        const int height = static_cast<int>(output->tileYSize());
-        output->writeTiles(0, output->numXTiles(0) - 1, firstRow / height,
-                           (firstRow + rows - 1) / height);
     }
 };
 
 AtlasWriter::AtlasWriter(const std::filesystem::path& path, const AtlasHeader& header,
-                         PixelType type, Compression compression)
-    : file_(std::make_unique<File>(path, header, type, compression)) {}
+                         const AtlasWriterOptions& options)
+    : order_(tileOrderOf(header.layout)),
+      cellWidth_(cellWidthOf(header.layout)),
+      cellHeight_(cellHeightOf(header.layout)),
+      type_(options.type),
+      encoder_(header.layout.width(), header.layout.height(), order_.tileWidth() * cellWidth_,
+               order_.tileHeight() * cellHeight_, options.type, options.compression),
+      file_(std::make_unique<File>(path, header, order_, options, order_.tileWidth() * cellWidth_,
+                                   order_.tileHeight() * cellHeight_)) {}
 
 AtlasWriter::~AtlasWriter() = default;
 
-int AtlasWriter::tileHeight() const {
-    return static_cast<int>(file_->output->tileYSize());
+void AtlasWriter::encode(std::size_t index, std::span<const char> packed,
+                         std::vector<char>& chunks) const {
+    const auto wide = static_cast<std::size_t>(order_.tilesWide());
+    encoder_.encode(static_cast<int>(index % wide), static_cast<int>(index / wide), packed, chunks);
+}
+
+void AtlasWriter::append(std::size_t count, std::span<const char> chunks) {
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        file_->offsets.push_back(file_->end + place);
+        place += kChunkHead + dataBytes(chunks.data() + place);
+    }
+    assert(place == chunks.size());
+    file_->output->write(chunks);
+    file_->output->flush();
+    file_->end += place;
+}
+
+void AtlasWriter::appendData(std::span<const char> data) {
+    const auto wide = static_cast<std::size_t>(order_.tilesWide());
+    const std::size_t index = file_->offsets.size();
+    const std::array<std::int32_t, 5> head = {static_cast<std::int32_t>(index % wide),
+                                              static_cast<std::int32_t>(index / wide), 0, 0,
+                                              static_cast<std::int32_t>(data.size())};
+    const auto* begin = reinterpret_cast<const char*>(head.data());
+    std::vector<char> chunk(begin, begin + sizeof head);
+    chunk.insert(chunk.end(), data.begin(), data.end());
+    append(1, chunk);
+}
+
+WrittenTiles AtlasWriter::written() const {
+    return {file_->offsets.size(), file_->end};
 }
 
 std::uint64_t AtlasWriter::writeRows(int firstRow, int rows, std::span<const Rgb> pixels) {
-    std::uint64_t cut = 0;
-    if (file_->type == PixelType::kHalf) {
-        const std::vector<half> halfs = halfPixels(pixels, cut);
-        file_->writeTiles(firstRow, rows, reinterpret_cast<const char*>(halfs.data()),
-                          sizeof(half));
-    } else {
-        file_->writeTiles(firstRow, rows, reinterpret_cast<const char*>(pixels.data()),
-                          sizeof(float));
+    const auto wide = static_cast<std::size_t>(order_.tilesWide());
+    const std::size_t first = file_->offsets.size();
+    const std::size_t tileRows =
+        (static_cast<std::size_t>(rows) + static_cast<std::size_t>(tileHeight(0)) - 1) /
+        static_cast<std::size_t>(tileHeight(0));
+    const std::size_t count = tileRows * wide;
+    const auto width =
+        static_cast<std::size_t>(order_.width()) * static_cast<std::size_t>(cellWidth_);
+    std::vector<std::vector<char>> chunks(count);
+    std::vector<std::uint64_t> cut(count);
+    forEachTexelBlock(count, 1, [&](std::size_t i, std::size_t) {
+        const TileOrder::Tile tile = order_.tile(first + i);
+        const auto w = static_cast<std::size_t>(tileWidth(first + i));
+        const auto h = static_cast<std::size_t>(tileHeight(first + i));
+        const std::size_t bytes = bytesOf(type_);
+        std::vector<char> packed(3 * bytes * w * h);
+        const auto y = static_cast<std::size_t>(tile.y * cellHeight_ - firstRow);
+        for (std::size_t line = 0; line < h; ++line) {
+            const Rgb* row =
+                pixels.data() + (y + line) * width + static_cast<std::size_t>(tile.x * cellWidth_);
+            cut[i] +=
+                packLines(row, 1, w, type_, {packed.data() + line * 3 * bytes * w, bytes * w, 0});
+        }
+        encode(first + i, packed, chunks[i]);
+    });
+    std::uint64_t total = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        append(1, chunks[i]);
+        total += cut[i];
     }
-    return cut;
+    return total;
 }
 
 std::uint64_t AtlasWriter::finish(const ValueCounts& counts) {
-    // Destroyed, OpenEXR's file writes its table of tiles; the stream remembers a failure there.
-    file_->output.reset();
-    file_->stream.patchInt("abrdf:clamped", headerCount(counts.clamped));
-    file_->stream.patchInt("abrdf:extrapolated", headerCount(counts.extrapolated));
-    file_->stream.patchInt("abrdf:nonfinite", headerCount(counts.nonfinite));
-    return file_->stream.commit();
+    if (file_->offsets.size() != order_.tiles()) {
+        throw std::logic_error("an atlas was finished before all its tiles were written");
+    }
+    OutputFile& output = *file_->output;
+    output.seek(0);
+    output.write(file_->head.withCounts(counts));
+    output.write({reinterpret_cast<const char*>(file_->offsets.data()),
+                  file_->offsets.size() * sizeof(std::uint64_t)});
+    output.commit();
+    return file_->end;
 }
 
 }  // namespace abrdf

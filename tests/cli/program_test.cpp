@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,7 @@ TEST_SUITE_BEGIN("cli");
 TEST_CASE("help is an answer, not a fault, for the program and for each command") {
     const TemporaryFolder folder;
     for (const char* command :
-         {"", "convert", "inspect", "evaluate", "preview", "report", "demo"}) {
+         {"", "convert", "inspect", "evaluate", "preview", "report", "run", "merge", "demo"}) {
         const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
         CHECK(run.status == 0);
         CHECK(contains(run.out, "Usage"));
@@ -243,6 +244,25 @@ TEST_CASE("a TOML file gives the same options, and the command line wins over it
     const ProgramRun bad = runProgram(folder.path(), "convert --config bad.toml");
     CHECK(bad.status == 1);
     CHECK(contains(bad.err, "bad.toml"));
+}
+
+TEST_CASE("progress for farms is one JSON object a line, and each phase ends with all of it done") {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        runProgram(folder.path(), "convert '" + demoZip().string() +
+                                      "' -o a.exr --texels full --method measured --progress json");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    std::istringstream lines(run.err);
+    std::string phases;
+    for (std::string line; std::getline(lines, line);) {
+        const auto tick = nlohmann::json::parse(line);
+        CHECK(tick["done"] <= tick["total"]);
+        for (const char* key : {"unit", "seconds", "rate", "seconds_left"}) {
+            CHECK(tick.contains(key));
+        }
+        if (tick["done"] == tick["total"]) phases += tick["phase"].get<std::string>() + " ";
+    }
+    CHECK(phases == "read reconstruct ");
 }
 
 TEST_CASE("an interrupt leaves no file behind and ends by its signal") {

@@ -44,7 +44,7 @@ Rgb lambertianWithGloss(const LightAndView& pair, Rgb albedo, double gloss, doub
 }
 
 void writeAtlas(const std::filesystem::path& path, const Atlas& atlas) {
-    AtlasWriter writer(path, atlas.header(), PixelType::kFloat, Compression::kZip);
+    AtlasWriter writer(path, atlas.header(), {PixelType::kFloat, Compression::kZip, false, {}});
     writer.writeRows(0, atlas.header().layout.height(), atlas.pixels());
     writer.finish({});
 }

@@ -38,7 +38,7 @@ std::vector<Rgb> linearPixels(const AngularGrid& grid) {
 
 void writeAtlasFile(const fs::path& path, const AtlasHeader& header,
                     const std::vector<Rgb>& pixels) {
-    AtlasWriter writer(path, header, PixelType::kFloat, Compression::kZip);
+    AtlasWriter writer(path, header, {PixelType::kFloat, Compression::kZip, false, {}});
     writer.writeRows(0, header.layout.height(), pixels);
     writer.finish({});
 }

@@ -23,7 +23,7 @@ std::string atlasBytes(const fs::path& folder) {
     header.grid = AngularGrid(regularDirections(2, 3));
     header.layout = {AtlasKind::kAngular, 1, 1, 6, 6};
     header.interopId = "lin_rec709_scene";
-    AtlasWriter writer(folder / "a.exr", header, PixelType::kHalf, Compression::kZip);
+    AtlasWriter writer(folder / "a.exr", header, {});
     writer.writeRows(0, 6, std::vector<Rgb>(36, Rgb{1, 2, 3}));
     writer.finish({});
     return bytesOf(folder / "a.exr");

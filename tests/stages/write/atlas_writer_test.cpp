@@ -2,7 +2,6 @@
 #include "stages/write/atlas_writer.h"
 
 #include "abrdf/output_file.h"
-#include "stages/pack/pack_texels.h"
 #include "stages/read/atlas_reader.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -29,12 +28,18 @@ Rgb valueOf(std::size_t texel, std::size_t pair) {
     return {static_cast<float>(texel), static_cast<float>(pair), 0.5F};
 }
 
-AbrdfTile smallTile(const AtlasLayout& layout) {
-    AbrdfTile tile(layout.texelCount(), 35);
-    for (std::size_t t = 0; t < tile.texelCount(); ++t) {
-        for (std::size_t p = 0; p < 35; ++p) tile[t][p] = valueOf(t, p);
+/// All pixels, row by row.
+std::vector<Rgb> pixelsOf(const AtlasLayout& layout) {
+    std::vector<Rgb> pixels;
+    for (int y = 0; y < layout.height(); ++y) {
+        for (int x = 0; x < layout.width(); ++x) {
+            const AtlasSample s = layout.sampleFromPixel({x, y});
+            pixels.push_back(
+                valueOf(static_cast<std::size_t>(s.texelY * layout.texelsWide + s.texelX),
+                        static_cast<std::size_t>(s.light * 7 + s.view)));
+        }
     }
-    return tile;
+    return pixels;
 }
 
 }  // namespace
@@ -47,20 +52,16 @@ TEST_CASE("what is packed and written is looked up again from the header alone, 
         for (const PixelType type : {PixelType::kHalf, PixelType::kFloat}) {
             for (const auto& [wide, high] : {std::pair{1, 1}, {3, 2}, {2, 29}}) {
                 const AtlasHeader header = smallHeader(kind, wide, high);
-                const AbrdfTile tile = smallTile(header.layout);
-                const AtlasBlock block = kind == AtlasKind::kAngular
-                                             ? packAngular(tile, header.layout, 0, high)
-                                             : packSpatial(tile, header.layout);
                 const auto path = folder.path() / "a.exr";
-                AtlasWriter writer(path, header, type, Compression::kZip);
-                CHECK(writer.writeRows(block.y, block.height, block.pixels) == 0);
+                AtlasWriter writer(path, header, {type, Compression::kZip, false, {}});
+                CHECK(writer.writeRows(0, header.layout.height(), pixelsOf(header.layout)) == 0);
                 const std::uint64_t bytes = writer.finish({1, 2, 3, 4});
                 CHECK(bytes == std::filesystem::file_size(path));
                 const Atlas atlas = readAtlas(path);
                 CHECK(atlas.header().counts.clamped == 1);
                 CHECK(atlas.header().counts.nonfinite == 3);
                 const AngularGrid& grid = atlas.header().grid;
-                for (std::size_t t = 0; t < tile.texelCount(); ++t) {
+                for (std::size_t t = 0; t < header.layout.texelCount(); ++t) {
                     for (std::size_t p = 0; p < 35; ++p) {
                         const auto x = static_cast<int>(t) % wide;
                         const auto y = static_cast<int>(t) / wide;
@@ -78,13 +79,48 @@ TEST_CASE("what is packed and written is looked up again from the header alone, 
     }
 }
 
+TEST_CASE(
+    "the tiles of an interrupted file are continued to the same bytes, in every compression") {
+    const TemporaryFolder folder;
+    const AtlasHeader header = smallHeader(AtlasKind::kAngular, 30, 40);
+    const std::vector<Rgb> pixels = pixelsOf(header.layout);
+    for (const Compression compression :
+         {Compression::kNone, Compression::kZips, Compression::kZip, Compression::kPiz}) {
+        const auto whole = folder.path() / "whole.exr";
+        const auto path = folder.path() / "a.exr";
+        AtlasWriter once(whole, header, {PixelType::kHalf, compression, false, {}});
+        once.writeRows(0, header.layout.height(), pixels);
+        once.finish({});
+        const int rowHeight = once.tileHeight(0);
+        const auto row = static_cast<std::size_t>(rowHeight * header.layout.width());
+        WrittenTiles written;
+        {
+            AtlasWriter first(path, header, {PixelType::kHalf, compression, true, {}});
+            first.writeRows(0, rowHeight, std::span(pixels).first(row));
+            written = first.written();
+            // Appended, but not told of: a later run writes it again.
+            first.writeRows(rowHeight, rowHeight, std::span(pixels).subspan(row, row));
+        }
+        CHECK_FALSE(std::filesystem::exists(path));
+        AtlasWriter second(path, header, {PixelType::kHalf, compression, true, written});
+        second.writeRows(rowHeight, header.layout.height() - rowHeight,
+                         std::span(pixels).subspan(row));
+        second.finish({});
+        CHECK(bytesOf(path) == bytesOf(whole));
+        CHECK_FALSE(std::filesystem::exists(partialBeside(path)));
+        CHECK(readAtlas(path).at({29, 39, 4, 6}) == valueOf(39 * 30 + 29, 34));
+        std::filesystem::remove(path);
+    }
+}
+
 TEST_CASE("a half never becomes infinite: it is cut and counted") {
     const TemporaryFolder folder;
     AtlasHeader header = smallHeader(AtlasKind::kAngular, 1, 1);
     std::vector<Rgb> pixels(35, Rgb{1, 2, 3});
     pixels[4].g = 1e6F;
     CHECK_FALSE(fitsHalf(pixels));
-    AtlasWriter writer(folder.path() / "a.exr", header, PixelType::kHalf, Compression::kNone);
+    AtlasWriter writer(folder.path() / "a.exr", header,
+                       {PixelType::kHalf, Compression::kNone, false, {}});
     CHECK(writer.writeRows(0, 5, pixels) == 1);
     writer.finish({});
     CHECK(readAtlas(folder.path() / "a.exr").at({0, 0, 0, 4}).g == 65504);
@@ -96,7 +132,7 @@ TEST_CASE("without finish() nothing is left behind and an old file is intact") {
     std::ofstream(path) << "old";
     {
         const AtlasHeader header = smallHeader(AtlasKind::kAngular, 1, 1);
-        AtlasWriter writer(path, header, PixelType::kHalf, Compression::kZip);
+        AtlasWriter writer(path, header, {});
         writer.writeRows(0, 5, std::vector<Rgb>(35));
     }
     CHECK(bytesOf(path) == "old");

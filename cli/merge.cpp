@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/merge.h"
+
+#include "cli/command.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace abrdf {
+
+void addMerge(CLI::App& app, RunCommand& runCommand) {
+    CLI::App* command = app.add_subcommand("merge", "shards of one job into one atlas");
+    command->footer("Example: abrdf merge corduroy.1.exr corduroy.2.exr -o corduroy.exr");
+    auto options = std::make_shared<MergeOptions>();
+    auto noClobber = std::make_shared<bool>(false);
+    command->add_option("SHARD", options->shards, "atlases of convert --shard, in any order")
+        ->required();
+    command->add_option("-o,--output", options->output, "the atlas, an OpenEXR file")->required();
+    command->add_flag("--no-clobber", *noClobber, "keep an existing output");
+    command->callback([options, noClobber, &runCommand] {
+        runCommand = [options, noClobber](const SharedOptions& shared,
+                                          const ProgressSink& progress) {
+            if (*noClobber && std::filesystem::exists(options->output)) {
+                spdlog::info("{}: exists and is kept (--no-clobber)", options->output.string());
+                return 0;
+            }
+            options->memory = shared.memoryBytes();
+            const auto report = merge(*options, progress);
+            const std::string text = fmt::format(
+                "{}: {} x {} texels from {} shards in {:.2f} s\n",
+                report["output"]["path"].get<std::string>(), report["texels"][0].get<int>(),
+                report["texels"][1].get<int>(), report["shards"].get<std::size_t>(),
+                report["time"]["total"].get<double>());
+            deliver(report, shared.quiet ? "" : text, shared);
+            return 0;
+        };
+    });
+}
+
+}  // namespace abrdf

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/merge.h"
+
+#include "abrdf/for_each_texel.h"
+#include "abrdf/output_file.h"
+#include "pipeline/job.h"
+#include "pipeline/tile_journal.h"
+#include "pipeline/write_atlas.h"
+#include "stages/read/atlas_tiles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <stdexcept>
+
+namespace abrdf {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json jobOf(const AtlasTiles& shard, const fs::path& path) {
+    ordered_json job = ordered_json::parse(shard.header().job, nullptr, false);
+    if (shard.header().shard == 0 || !job.is_object()) {
+        throw std::runtime_error(fmt::format(
+            "{}: is no shard of an atlas; those are made by convert --shard I/N", path.string()));
+    }
+    return job;
+}
+
+/// Throws where a shard is of another job than the first, or of another division of it.
+void checkOneJob(const std::vector<AtlasTiles>& shards, const std::vector<fs::path>& paths) {
+    const ordered_json job = jobOf(shards[0], paths[0]);
+    for (std::size_t i = 1; i < shards.size(); ++i) {
+        std::string changed = differences(job, jobOf(shards[i], paths[i]));
+        if (shards[i].header().shards != shards[0].header().shards) {
+            changed = fmt::format("one is of {} parts, the other of {}", shards[0].header().shards,
+                                  shards[i].header().shards);
+        } else if (changed.empty() && shards[i].type() != shards[0].type()) {
+            changed = fmt::format(
+                "pixels were {} and are {}, as a value in one part fits no half; convert all parts "
+                "with --pixel float, or with half",
+                nameOf(shards[0].type()), nameOf(shards[i].type()));
+        }
+        if (changed.empty()) continue;
+        throw std::runtime_error(fmt::format("{}: is not of the job of {}: {}", paths[i].string(),
+                                             paths[0].string(), changed));
+    }
+}
+
+/// The shards in order of their parts. Throws where one is missing or there twice.
+std::vector<AtlasTiles> openShards(const std::vector<fs::path>& paths) {
+    std::vector<AtlasTiles> shards;
+    for (const fs::path& path : paths) shards.emplace_back(path);
+    checkOneJob(shards, paths);
+    const auto count = static_cast<std::size_t>(shards[0].header().shards);
+    std::vector<std::size_t> partAt(count, shards.size());
+    for (std::size_t i = 0; i < shards.size(); ++i) {
+        std::size_t& at = partAt[static_cast<std::size_t>(shards[i].header().shard - 1)];
+        if (at < shards.size()) {
+            throw std::runtime_error(fmt::format("{} and {} are both part {} of {}",
+                                                 paths[at].string(), paths[i].string(),
+                                                 shards[i].header().shard, count));
+        }
+        at = i;
+    }
+    std::string missing;
+    std::vector<AtlasTiles> ordered;
+    for (std::size_t part = 0; part < count; ++part) {
+        if (partAt[part] == shards.size()) {
+            missing += fmt::format("{}{}", missing.empty() ? "" : ", ", part + 1);
+        } else {
+            ordered.push_back(std::move(shards[partAt[part]]));
+        }
+    }
+    if (!missing.empty()) {
+        throw std::runtime_error(fmt::format("{}: of the {} parts of its job these are missing: {}",
+                                             paths[0].string(), count, missing));
+    }
+    return ordered;
+}
+
+AtlasHeader wholeHeader(const std::vector<AtlasTiles>& shards, const ordered_json& job,
+                        const fs::path& first) {
+    AtlasHeader header = shards[0].header();
+    header.shard = 0;
+    header.shards = 0;
+    header.counts = {};
+    header.layout.texelsHigh = 0;
+    for (const AtlasTiles& shard : shards) {
+        header.layout.texelsHigh += shard.header().layout.texelsHigh;
+        header.counts += shard.header().counts;
+    }
+    header.layout.kind = atlasKindFromName(job["layout"].get<std::string>());
+    const auto texels = fmt::format("{}x{}", header.layout.texelsWide, header.layout.texelsHigh);
+    if (job["texels"] != texels) {
+        throw std::runtime_error(fmt::format("{}: its job has {} texels, its parts together {}",
+                                             first.string(), job["texels"].get<std::string>(),
+                                             texels));
+    }
+    return header;
+}
+
+/// Tiles of angular atlases stand one below the other: their bytes are copied.
+void appendTiles(const std::vector<AtlasTiles>& shards, AtlasWriter& writer,
+                 const ProgressSink& progress) {
+    for (const AtlasTiles& shard : shards) {
+        for (std::size_t i = 0; i < shard.order().tiles(); ++i) {
+            writer.appendData(shard.raw(i));
+            if (progress) {
+                progress({"merge", "tiles", writer.written().tiles, writer.order().tiles()});
+            }
+        }
+    }
+}
+
+/// The texels of a tile, each with all its pairs, from the tile's pixels.
+std::vector<Rgb> texelsOf(const std::vector<Rgb>& pixels, const TileOrder::Tile& tile,
+                          const AtlasLayout& layout) {
+    const auto views = static_cast<std::size_t>(layout.views);
+    const auto lights = static_cast<std::size_t>(layout.lights);
+    const auto wide = static_cast<std::size_t>(tile.width);
+    std::vector<Rgb> texels(pixels.size());
+    for (std::size_t line = 0; line < static_cast<std::size_t>(tile.height) * lights; ++line) {
+        for (std::size_t x = 0; x < wide; ++x) {
+            const auto from =
+                pixels.begin() + static_cast<std::ptrdiff_t>((line * wide + x) * views);
+            const std::size_t texel = line / lights * wide + x;
+            std::copy_n(from, views, &texels[(texel * lights + line % lights) * views]);
+        }
+    }
+    return texels;
+}
+
+/// Puts all texels of the shards into a table of pairs.
+void fillItems(const std::vector<AtlasTiles>& shards, const TileOrder& order, PixelType type,
+               TransposedTable& items, const ProgressSink& progress) {
+    std::size_t rowsBefore = 0;
+    std::size_t done = 0;
+    for (const AtlasTiles& shard : shards) {
+        const AtlasLayout& layout = shard.header().layout;
+        for (std::size_t i = 0; i < shard.order().tiles(); ++i) {
+            const TileOrder::Tile tile = shard.order().tile(i);
+            const std::vector<Rgb> texels = texelsOf(shard.pixels(i), tile, layout);
+            std::vector<char> packed(texels.size() * 3 * bytesOf(type));
+            itemsFromTexels(texels, order, type, packed);
+            const std::size_t rowBytes = packed.size() / static_cast<std::size_t>(tile.height);
+            for (int y = 0; y < tile.height; ++y) {
+                const std::size_t row = rowsBefore + static_cast<std::size_t>(tile.y + y);
+                items.store(
+                    row * static_cast<std::size_t>(layout.texelsWide) +
+                        static_cast<std::size_t>(tile.x),
+                    std::span(packed).subspan(static_cast<std::size_t>(y) * rowBytes, rowBytes));
+            }
+            done += tile.cells();
+            if (progress) progress({"merge", "texels", done, items.rows()});
+        }
+        rowsBefore += static_cast<std::size_t>(layout.texelsHigh);
+    }
+}
+
+/// A spatial atlas holds a map a pair: the texels are turned once more.
+void turnTiles(const std::vector<AtlasTiles>& shards, const MergeOptions& options,
+               AtlasWriter& writer, const AtlasLayout& layout, const ProgressSink& progress) {
+    MemoryTask task;
+    task.layout = layout;
+    task.type = shards[0].type();
+    task.fixedBytes = residentMemory();
+    task.threads = threadsInUse();
+    const MemoryPlan memory = planMemory(task, options.memory);
+    std::optional<fs::path> scratch;
+    if (!memory.itemsInMemory) scratch = scratchFolder(options.output);
+    TransposedTable items(layout.texelCount(), 3 * bytesOf(task.type),
+                          bandBegins(writer.order(), memory.itemRunsPerBand * memory.itemTiles),
+                          scratch);
+    fillItems(shards, writer.order(), task.type, items, progress);
+    writeItems({layout, memory, task.type}, items, {}, writer, {}, progress);
+}
+
+}  // namespace
+
+ordered_json merge(const MergeOptions& options, const ProgressSink& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    checkOutputPath(options.output);
+    const std::vector<AtlasTiles> shards = openShards(options.shards);
+    const ordered_json job = jobOf(shards[0], options.shards[0]);
+    const AtlasHeader header = wholeHeader(shards, job, options.shards[0]);
+    AtlasWriter writer(
+        options.output, header,
+        {shards[0].type(), compressionFromName(job["compression"].get<std::string>()), false, {}});
+    if (header.layout.kind == AtlasKind::kAngular) {
+        appendTiles(shards, writer, progress);
+    } else {
+        turnTiles(shards, options, writer, header.layout, progress);
+    }
+    const std::uint64_t bytes = writer.finish(header.counts);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    return {{"command", "merge"},
+            {"version", ABRDF_VERSION},
+            {"shards", shards.size()},
+            {"texels", {header.layout.texelsWide, header.layout.texelsHigh}},
+            {"counts",
+             {{"clamped", header.counts.clamped},
+              {"extrapolated", header.counts.extrapolated},
+              {"nonfinite", header.counts.nonfinite}}},
+            {"time", {{"total", seconds.count()}}},
+            {"peak_memory", peakMemory()},
+            {"output",
+             {{"path", options.output.string()},
+              {"bytes", bytes},
+              {"pixel", nameOf(shards[0].type())}}}};
+}
+
+}  // namespace abrdf

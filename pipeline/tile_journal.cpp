@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/tile_journal.h"
+
+#include "abrdf/content_hash.h"
+#include "abrdf/output_file.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace abrdf {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+fs::path journalBeside(const fs::path& output) {
+    return output.parent_path() / fmt::format(".{}.abrdf-journal", output.filename().string());
+}
+
+/// One line: tiles, their end, their hash, counts. Nothing where it is cut.
+std::optional<TilesAdded> entryOf(const std::string& line) {
+    std::istringstream stream(line);
+    TilesAdded added;
+    std::string end;
+    stream >> added.written.tiles >> added.written.end >> added.hash >> added.counts.clamped >>
+        added.counts.nonfinite >> added.counts.dimmed >> end;
+    if (!stream || end != "whole") return {};
+    return added;
+}
+
+/// The hash of bytes [begin, end) of a file; nothing where it is shorter.
+std::optional<std::uint64_t> hashOf(std::ifstream& file, std::uint64_t begin, std::uint64_t end,
+                                    std::vector<char>& buffer) {
+    if (end < begin) return {};
+    buffer.resize(end - begin);
+    file.seekg(static_cast<std::streamoff>(begin));
+    if (!file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()))) return {};
+    return contentHash(buffer);
+}
+
+}  // namespace
+
+std::string differences(const ordered_json& was, const ordered_json& is) {
+    std::string text;
+    const auto add = [&](const std::string& key, const std::string& change) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, change);
+    };
+    for (const auto& [key, value] : is.items()) {
+        if (!was.contains(key)) {
+            add(key, fmt::format("is {} and was not there", value.dump()));
+        } else if (was[key] != value) {
+            add(key, fmt::format("was {} and is {}", was[key].dump(), value.dump()));
+        }
+    }
+    for (const auto& [key, value] : was.items()) {
+        if (!is.contains(key)) add(key, fmt::format("was {} and is gone", value.dump()));
+    }
+    return text;
+}
+
+TileJournal::TileJournal(const fs::path& output, const ordered_json& job, PixelType type,
+                         bool resume)
+    : output_(output), path_(journalBeside(output)), lock_(path_), job_(job), type_(type) {
+    if (!lock_.isHeld()) {
+        throw std::runtime_error(fmt::format(
+            "{}: another abrdf is writing it; wait for that one or choose another output",
+            output.string()));
+    }
+    if (!resume || !readBack(job)) begin();
+    stream_.open(path_, std::ios::binary | std::ios::app);
+}
+
+/// False where there is nothing to continue.
+bool TileJournal::readBack(const ordered_json& job) {
+    std::ifstream journal(path_, std::ios::binary);
+    std::string line;
+    if (!std::getline(journal, line)) return false;
+    const ordered_json head = ordered_json::parse(line, nullptr, false);
+    if (!head.is_object() || !head.contains("job")) return false;
+    const std::string changed = differences(head["job"], job);
+    if (!changed.empty()) {
+        throw std::runtime_error(fmt::format(
+            "{}: cannot be resumed, as its unfinished part is of another job: {}; give that job "
+            "again, or leave --resume out to begin anew",
+            output_.string(), changed));
+    }
+    type_ = head["pixel"] == "float" ? PixelType::kFloat : PixelType::kHalf;
+    std::ifstream atlas(partialBeside(output_), std::ios::binary);
+    std::vector<char> buffer;
+    auto good = journal.tellg();
+    while (std::getline(journal, line) && !journal.eof()) {
+        const auto entry = entryOf(line);
+        if (!entry) break;
+        // The first one says where tiles begin.
+        if (entry->written.tiles > 0 &&
+            hashOf(atlas, written_.end, entry->written.end, buffer) != entry->hash) {
+            break;
+        }
+        good = journal.tellg();
+        written_ = entry->written;
+        counts_ += entry->counts;
+    }
+    if (written_.tiles > 0) fs::resize_file(path_, static_cast<std::uintmax_t>(good));
+    return written_.tiles > 0;
+}
+
+void TileJournal::begin() {
+    written_ = {};
+    counts_ = {};
+    std::ofstream stream(path_, std::ios::binary | std::ios::trunc);
+    stream << ordered_json{{"job", job_}, {"pixel", nameOf(type_)}}.dump() << "\n";
+    if (!stream.flush()) {
+        throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
+    }
+}
+
+void TileJournal::restart(PixelType type) {
+    type_ = type;
+    begin();
+}
+
+void TileJournal::add(const TilesAdded& added) {
+    stream_ << added.written.tiles << ' ' << added.written.end << ' ' << added.hash << ' '
+            << added.counts.clamped << ' ' << added.counts.nonfinite << ' ' << added.counts.dimmed
+            << " whole\n";
+    if (!stream_.flush()) {
+        throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
+    }
+}
+
+void TileJournal::remove() {
+    std::error_code ignored;
+    fs::remove(partialBeside(output_), ignored);
+    fs::remove(path_, ignored);
+}
+
+}  // namespace abrdf
