@@ -52,6 +52,45 @@ const auto& valueOf(const Imf::Header& header, const char* name, const std::stri
     return attribute->value();
 }
 
+/// What atlases of an early day lack.
+void readOptional(const Imf::Header& header, AtlasHeader& atlas) {
+    if (const auto* plane = header.findTypedAttribute<Imf::FloatAttribute>("abrdf:plane")) {
+        atlas.plane = static_cast<double>(plane->value());
+    }
+    if (const auto* margin = header.findTypedAttribute<Imf::IntAttribute>("abrdf:margin")) {
+        atlas.margin = std::max(0, margin->value());
+    }
+    if (const auto* outside = header.findTypedAttribute<Imf::IntAttribute>("abrdf:outside")) {
+        atlas.counts.outside = static_cast<std::uint64_t>(std::max(0, outside->value()));
+    }
+    using Text = Imf::StringAttribute;
+    if (const auto* conversion = header.findTypedAttribute<Text>("abrdf:conversion")) {
+        atlas.conversion = conversion->value();
+    }
+    if (const auto* job = header.findTypedAttribute<Text>("abrdf:job")) atlas.job = job->value();
+    if (const auto* shard = header.findTypedAttribute<Imf::V2iAttribute>("abrdf:shard")) {
+        atlas.shard = shard->value().x;
+        atlas.shards = shard->value().y;
+    }
+}
+
+void checkSize(const Imf::Header& header, const AtlasLayout& layout, const std::string& file) {
+    const Imath::Box2i& window = header.dataWindow();
+    const bool fits =
+        layout.texelsWide > 0 && layout.texelsHigh > 0 && layout.texelsWide < (1 << 20) &&
+        layout.texelsHigh < (1 << 20) &&
+        std::int64_t{layout.texelsWide} * layout.views == std::int64_t{window.max.x} + 1 &&
+        std::int64_t{layout.texelsHigh} * layout.lights == std::int64_t{window.max.y} + 1 &&
+        window.min == Imath::V2i(0, 0);
+    if (!fits) {
+        throw std::runtime_error(fmt::format(
+            "{}: has a damaged header: {} x {} texels of {} lights and {} views are not its image "
+            "of {} x {} pixels",
+            file, layout.texelsWide, layout.texelsHigh, layout.lights, layout.views,
+            window.max.x + 1, window.max.y + 1));
+    }
+}
+
 }  // namespace
 
 ValueCounts& ValueCounts::operator+=(const ValueCounts& other) {
@@ -142,44 +181,13 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
     atlas.source = text("abrdf:source");
     atlas.maxMeasuredTheta =
         static_cast<double>(valueOf<Imf::FloatAttribute>(header, "abrdf:maxMeasuredTheta", file));
-    // Atlases of an early day lack these three.
-    if (const auto* plane = header.findTypedAttribute<Imf::FloatAttribute>("abrdf:plane")) {
-        atlas.plane = static_cast<double>(plane->value());
-    }
-    if (const auto* margin = header.findTypedAttribute<Imf::IntAttribute>("abrdf:margin")) {
-        atlas.margin = std::max(0, margin->value());
-    }
-    if (const auto* outside = header.findTypedAttribute<Imf::IntAttribute>("abrdf:outside")) {
-        atlas.counts.outside = static_cast<std::uint64_t>(std::max(0, outside->value()));
-    }
     atlas.counts.clamped = count("abrdf:clamped");
     atlas.counts.extrapolated = count("abrdf:extrapolated");
     atlas.counts.nonfinite = count("abrdf:nonfinite");
     atlas.colorSpace = text("abrdf:colorSpace");
-    if (header.find("abrdf:conversion") != header.end()) {
-        atlas.conversion = text("abrdf:conversion");
-    }
     atlas.interopId = text("colorInteropID");
-    if (const auto* job = header.findTypedAttribute<Imf::StringAttribute>("abrdf:job")) {
-        atlas.job = job->value();
-    }
-    if (const auto* shard = header.findTypedAttribute<Imf::V2iAttribute>("abrdf:shard")) {
-        atlas.shard = shard->value().x;
-        atlas.shards = shard->value().y;
-    }
-    const Imath::Box2i& window = header.dataWindow();
-    const bool fits =
-        texels.x > 0 && texels.y > 0 && texels.x < (1 << 20) && texels.y < (1 << 20) &&
-        std::int64_t{texels.x} * atlas.layout.views == std::int64_t{window.max.x} + 1 &&
-        std::int64_t{texels.y} * atlas.layout.lights == std::int64_t{window.max.y} + 1 &&
-        window.min == Imath::V2i(0, 0);
-    if (!fits) {
-        throw std::runtime_error(fmt::format(
-            "{}: has a damaged header: {} x {} texels of {} lights and {} views are not its image "
-            "of {} x {} pixels",
-            file, texels.x, texels.y, atlas.layout.lights, atlas.layout.views, window.max.x + 1,
-            window.max.y + 1));
-    }
+    readOptional(header, atlas);
+    checkSize(header, atlas.layout, file);
     return atlas;
 }
 

@@ -14,8 +14,6 @@
 #include <memory>
 #include <stdexcept>
 
-extern char** environ;
-
 namespace abrdf {
 
 namespace {
