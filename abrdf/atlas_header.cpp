@@ -59,6 +59,7 @@ ValueCounts& ValueCounts::operator+=(const ValueCounts& other) {
     extrapolated += other.extrapolated;
     nonfinite += other.nonfinite;
     missing += other.missing;
+    outside += other.outside;
     return *this;
 }
 
@@ -85,6 +86,9 @@ void storeAtlasHeader(const AtlasHeader& atlas, Imf::Header& header) {
     header.insert("abrdf:cosine", StringAttribute(nameOf(atlas.cosine)));
     header.insert("abrdf:maxMeasuredTheta",
                   Imf::FloatAttribute(static_cast<float>(atlas.maxMeasuredTheta)));
+    header.insert("abrdf:plane", Imf::FloatAttribute(static_cast<float>(atlas.plane)));
+    header.insert("abrdf:margin", IntAttribute(atlas.margin));
+    header.insert("abrdf:outside", IntAttribute(headerCount(atlas.counts.outside)));
     header.insert("abrdf:clamped", IntAttribute(headerCount(atlas.counts.clamped)));
     header.insert("abrdf:extrapolated", IntAttribute(headerCount(atlas.counts.extrapolated)));
     header.insert("abrdf:nonfinite", IntAttribute(headerCount(atlas.counts.nonfinite)));
@@ -138,6 +142,16 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
     atlas.source = text("abrdf:source");
     atlas.maxMeasuredTheta =
         static_cast<double>(valueOf<Imf::FloatAttribute>(header, "abrdf:maxMeasuredTheta", file));
+    // Atlases of an early day lack these three.
+    if (const auto* plane = header.findTypedAttribute<Imf::FloatAttribute>("abrdf:plane")) {
+        atlas.plane = static_cast<double>(plane->value());
+    }
+    if (const auto* margin = header.findTypedAttribute<Imf::IntAttribute>("abrdf:margin")) {
+        atlas.margin = std::max(0, margin->value());
+    }
+    if (const auto* outside = header.findTypedAttribute<Imf::IntAttribute>("abrdf:outside")) {
+        atlas.counts.outside = static_cast<std::uint64_t>(std::max(0, outside->value()));
+    }
     atlas.counts.clamped = count("abrdf:clamped");
     atlas.counts.extrapolated = count("abrdf:extrapolated");
     atlas.counts.nonfinite = count("abrdf:nonfinite");

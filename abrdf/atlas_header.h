@@ -19,6 +19,7 @@ struct ValueCounts {
     std::uint64_t nonfinite =
         0;                      ///< NaN, infinite or negative in the input, or made so on the way.
     std::uint64_t missing = 0;  ///< Missing images that were interpolated on request.
+    std::uint64_t outside = 0;  ///< Pixels of shifted images that lie outside them.
 
     ValueCounts& operator+=(const ValueCounts& other);
 };
@@ -33,6 +34,10 @@ struct AtlasHeader {
     std::string source;
     Cosine cosine = Cosine::kKept;
     Radians maxMeasuredTheta = 0;
+    /// A texel shows one place of the plane z = plane in all views, in texels of the database's
+    /// images; 0: as the database was rectified.
+    double plane = 0;
+    int margin = 0;  ///< Texels from an edge within which shifted images lack some; 0: none does.
     ValueCounts counts;
     std::string colorSpace;  ///< OpenColorIO name.
     std::string interopId;   ///< Color Interop Forum id, "unknown" where the space is none of ours.

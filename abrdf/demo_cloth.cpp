@@ -77,8 +77,10 @@ DemoCloth::Yarn DemoCloth::makeYarn(YarnFamily family) {
     return {PreparedMaterial(body), PreparedMaterial(sheen), color};
 }
 
-DemoCloth::DemoCloth(int size, std::uint64_t seed)
-    : size_(size), yarns_{makeYarn(YarnFamily::kWarp), makeYarn(YarnFamily::kWeft)} {
+DemoCloth::DemoCloth(int size, std::uint64_t seed, float relief)
+    : size_(size),
+      relief_(relief),
+      yarns_{makeYarn(YarnFamily::kWarp), makeYarn(YarnFamily::kWeft)} {
     if (size < 1 || size > kMaxDemoSize) {
         throw std::invalid_argument(
             fmt::format("the demo cloth has 1 to {} texels each way, not {}; choose a size among "
@@ -97,7 +99,7 @@ DemoCloth::Texel DemoCloth::makeTexel(int x, int y, std::uint64_t seed) const {
     const float pitch = static_cast<float>(size_) / kWeaveYarns;  // texels a yarn
     const float u = (static_cast<float>(x) + 0.5F) / pitch;
     const float v = (static_cast<float>(size_ - 1 - y) + 0.5F) / pitch;
-    const WeavePoint point = weaveAt(u, v);
+    const WeavePoint point = pointAt(u, v);
     const bool isWarp = point.family == YarnFamily::kWarp;
 
     Texel texel;
@@ -122,10 +124,18 @@ DemoCloth::Texel DemoCloth::makeTexel(int x, int y, std::uint64_t seed) const {
     return texel;
 }
 
+WeavePoint DemoCloth::pointAt(float u, float v) const {
+    WeavePoint point = weaveAt(u, v);
+    point.height *= relief_;
+    point.slopeX *= relief_;
+    point.slopeY *= relief_;
+    return point;
+}
+
 // The steepest point within one and a half pitches.
 DemoCloth::Crest DemoCloth::crestBeside(float u, float v, const Imath::V2f& side) const {
     const float pitch = static_cast<float>(size_) / kWeaveYarns;
-    const float height = weaveAt(u, v).height;
+    const float height = pointAt(u, v).height;
     const auto cell = [this](float texels) {
         const int index = static_cast<int>(std::floor(texels)) % size_;
         return index < 0 ? index + size_ : index;
@@ -138,7 +148,7 @@ DemoCloth::Crest DemoCloth::crestBeside(float u, float v, const Imath::V2f& side
         const float distance = static_cast<float>(step) / 16;
         const float x = u + distance * side.x;
         const float y = v + distance * side.y;
-        const float tangent = (weaveAt(x, y).height - height) / distance;
+        const float tangent = (pointAt(x, y).height - height) / distance;
         if (tangent > crest.tangent) crest = {tangent, texelAt(x, y)};
     }
     return crest;

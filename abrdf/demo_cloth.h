@@ -24,8 +24,9 @@ constexpr int kMaxDemoSize = 1024;
 class DemoCloth {
   public:
     /// `size` texels each way, 1 .. kMaxDemoSize; the same weave at any size. `seed` varies the
-    /// colours. Throws std::invalid_argument for another size.
-    DemoCloth(int size, std::uint64_t seed);
+    /// colours; `relief` stretches its heights, 0 is flat. Throws std::invalid_argument for another
+    /// size.
+    DemoCloth(int size, std::uint64_t seed, float relief = 1);
 
     int size() const { return size_; }
 
@@ -54,6 +55,7 @@ class DemoCloth {
     };
 
     Texel makeTexel(int x, int y, std::uint64_t seed) const;
+    WeavePoint pointAt(float u, float v) const;
     Crest crestBeside(float u, float v, const Imath::V2f& side) const;
     Rgb shade(const Texel& texel, const Imath::V3f& light, const Imath::V3f& view) const;
     Rgb radiance(const Texel& texel, const Imath::V3f& light, const Imath::V3f& view) const;
@@ -62,6 +64,7 @@ class DemoCloth {
     static float clearance(const Texel& texel, const Imath::V3f& direction);
 
     int size_;
+    float relief_;
     std::array<Yarn, 2> yarns_;
     std::vector<Texel> texels_;
 };

@@ -5,6 +5,7 @@
 #include "abrdf/progress.h"
 #include "pipeline/job.h"
 #include "pipeline/page_job.h"
+#include "pipeline/plane.h"
 #include "pipeline/reconstruction.h"
 
 #include <CLI/CLI.hpp>
@@ -37,6 +38,7 @@ void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
 void addExport(CLI::App& app, RunCommand& run);
+void addStress(CLI::App& app, RunCommand& run);
 void addPreview(CLI::App& app, RunCommand& run);
 void addReport(CLI::App& app, RunCommand& run);
 void addMerge(CLI::App& app, RunCommand& run);
@@ -57,6 +59,15 @@ void addInputOptions(CLI::App& command, InputOptions& options);
 
 /// The method's plan, model and numbers: for every command that reconstructs.
 void addMethodOptions(CLI::App& command, MethodChoice& choice);
+
+/// The surface's plane, as text until the command runs.
+struct PlaneOptions {
+    std::string plane = "auto";
+    std::string edges = "auto";
+    bool unshift = false;
+};
+void addPlaneOptions(CLI::App& command, PlaneOptions& options);
+PlaneChoice planeFrom(const PlaneOptions& options);
 
 /// Options of a page that `preview --html` and `report` share; and what both end with.
 void addPageOptions(CLI::App& command, PageOptions& options);

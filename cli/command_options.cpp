@@ -96,6 +96,26 @@ void addMethodOptions(CLI::App& command, MethodChoice& choice) {
                      "let the prior choose its model anew for each texel: slow");
 }
 
+void addPlaneOptions(CLI::App& command, PlaneOptions& options) {
+    command
+        .add_option("--plane", options.plane,
+                    "height of the visible surface above the plane of rectification, in texels of "
+                    "the images, to which they are shifted: auto finds it, off leaves it at 0")
+        ->capture_default_str();
+    command
+        .add_option("--edges", options.edges,
+                    "what lies beyond an image's edges: auto | periodic | cropped")
+        ->capture_default_str();
+    command.add_flag("--unshift", options.unshift, "give results back in the database's own frame");
+}
+
+PlaneChoice planeFrom(const PlaneOptions& options) {
+    PlaneChoice choice = planeFromName(options.plane);
+    choice.edges = edgesFromName(options.edges);
+    choice.unshift = options.unshift;
+    return choice;
+}
+
 void deliver(const nlohmann::ordered_json& report, const std::string& text,
              const SharedOptions& shared) {
     const std::string json = report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

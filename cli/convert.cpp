@@ -13,6 +13,7 @@ namespace {
 struct Options {
     ConvertOptions job;
     std::string texels = "1x1";
+    PlaneOptions plane;
     std::string layout = "angular";
     std::string compression = "zip";
     std::string cosine = "keep";
@@ -63,6 +64,10 @@ void warnOfCounts(const nlohmann::ordered_json& counts) {
     if (counts["missing"] != 0) {
         spdlog::warn("{} missing images were interpolated", counts["missing"].dump());
     }
+    if (counts["outside"] != 0) {
+        spdlog::warn("{} pixels of the surface's plane lie outside their cropped image",
+                     counts["outside"].dump());
+    }
     if (counts["clamped"] != 0) {
         spdlog::info("{} values were cut to the range that light can have",
                      counts["clamped"].dump());
@@ -71,6 +76,7 @@ void warnOfCounts(const nlohmann::ordered_json& counts) {
 
 int run(Options options, const SharedOptions& shared, const ProgressSink& progress) {
     options.job.texels = texelsFromName(options.texels);
+    options.job.plane = planeFrom(options.plane);
     options.job.layout = atlasKindFromName(options.layout);
     options.job.compression = compressionFromName(options.compression);
     options.job.divideCosine = options.cosine == "divide";
@@ -113,6 +119,7 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
     addGrazingOption(*command, job.grazing);
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();
+    addPlaneOptions(*command, options->plane);
     command->add_option("--layout", options->layout, "angular | spatial")->capture_default_str();
     const std::map<std::string, PixelChoice> pixels = {
         {"auto", PixelChoice::kAuto}, {"half", PixelChoice::kHalf}, {"float", PixelChoice::kFloat}};

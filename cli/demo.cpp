@@ -19,6 +19,16 @@ void addDemo(CLI::App& app, RunCommand& runCommand) {
     command->add_option("--seed", options->demo.seed, "the same seed gives the same bytes")
         ->capture_default_str();
     command->add_flag("--hdr", options->demo.hdr, "half-float OpenEXR with true highlights");
+    command
+        ->add_option("--relief", options->demo.relief,
+                     "stretches the cloth's heights: 0 is flat, 1 as it is woven")
+        ->check(CLI::Range(0.0F, 4.0F))
+        ->capture_default_str();
+    command
+        ->add_option("--height", options->demo.height,
+                     "of the cloth above the plane of rectification, in texels")
+        ->check(CLI::Range(-100.0, 100.0))
+        ->capture_default_str();
     command->callback([options, &runCommand] {
         runCommand = [options](const SharedOptions&, const ProgressSink& progress) {
             writeDemoDatabase(options->target, options->demo, progress);

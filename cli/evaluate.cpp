@@ -2,6 +2,7 @@
 #include "pipeline/evaluate.h"
 
 #include "cli/command.h"
+#include "pipeline/named_pair.h"
 
 namespace abrdf {
 
@@ -13,6 +14,8 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     struct Options {
         EvaluateOptions job;
         std::string texels = "1x1";
+        PlaneOptions plane;
+        std::vector<std::string> pairs;
     };
     auto options = std::make_shared<Options>();
     addInputOptions(*command, options->job.input);
@@ -23,13 +26,25 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
         ->capture_default_str();
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();
+    addPlaneOptions(*command, options->plane);
     command
         ->add_option("--exposure", options->job.exposure, "factor on the values, natural exposure")
         ->capture_default_str();
     command->add_option("--sheet", options->job.sheet, "contact sheet, a PNG");
+    command
+        ->add_option("--pair", options->pairs,
+                     "THETA_I,PHI_I,THETA_V,PHI_V in degrees: images of texels that the sheet "
+                     "shows; may be repeated")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
     command->callback([options, &runCommand] {
         runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {
             options->job.texels = texelsFromName(options->texels);
+            options->job.plane = planeFrom(options->plane);
+            if (!options->pairs.empty()) options->job.imagePairs.clear();
+            for (const std::string& pair : options->pairs) {
+                options->job.imagePairs.push_back(pairFrom(pair));
+            }
             const auto report = evaluate(options->job, progress);
             deliver(report, tableOf(report), shared);
             return 0;

@@ -110,6 +110,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addEvaluate(app, run);
     abrdf::addTrain(app, run);
     abrdf::addExport(app, run);
+    abrdf::addStress(app, run);
     abrdf::addPreview(app, run);
     abrdf::addReport(app, run);
     abrdf::addMerge(app, run);

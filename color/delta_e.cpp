@@ -19,10 +19,6 @@ double clipped(float linear) {
     return std::clamp(static_cast<double>(linear), 0.0, 1.0);
 }
 
-struct Xyz {
-    double x, y, z;
-};
-
 // IEC 61966-2-1, with its four digits.
 constexpr Xyz xyzFromLinearRec709(double r, double g, double b) {
     return {0.4124 * r + 0.3576 * g + 0.1805 * b,  //
@@ -92,12 +88,19 @@ double lightness(double luminance) {
     return 116 * lightnessCurve(std::clamp(luminance, 0.0, 1.0)) - 16;
 }
 
-Lab labFromLinearRec709(Rgb color) {
-    const Xyz xyz = xyzFromLinearRec709(clipped(color.r), clipped(color.g), clipped(color.b));
-    const double x = lightnessCurve(xyz.x / kWhite.x);
-    const double y = lightnessCurve(xyz.y / kWhite.y);
-    const double z = lightnessCurve(xyz.z / kWhite.z);
+Xyz xyzOfDisplayed(Rgb color) {
+    return xyzFromLinearRec709(clipped(color.r), clipped(color.g), clipped(color.b));
+}
+
+Lab labFromXyz(const Xyz& color) {
+    const double x = lightnessCurve(color.x / kWhite.x);
+    const double y = lightnessCurve(color.y / kWhite.y);
+    const double z = lightnessCurve(color.z / kWhite.z);
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+Lab labFromLinearRec709(Rgb color) {
+    return labFromXyz(xyzOfDisplayed(color));
 }
 
 double deltaE76(const Lab& a, const Lab& b) {

@@ -12,6 +12,19 @@ struct Lab {
     double b = 0;
 };
 
+/// CIE XYZ, the Y of white 1.
+struct Xyz {
+    double x = 0;
+    double y = 0;
+    double z = 0;
+};
+
+/// Of a linear Rec.709 colour clipped to [0, 1], as an sRGB display shows it.
+Xyz xyzOfDisplayed(Rgb color);
+
+/// White D65; channels below 0 go along the tangent there.
+Lab labFromXyz(const Xyz& color);
+
 /// IEC 61966-2-1 encoding of one linear channel, clipped to [0, 1] first.
 double srgbEncoded(double linear);
 

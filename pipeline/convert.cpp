@@ -5,6 +5,7 @@
 #include "pipeline/convert_job.h"
 #include "pipeline/tile_journal.h"
 #include "pipeline/write_atlas.h"
+#include "pipeline/write_unshifted.h"
 #include "stages/read/atlas_reader.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 
 namespace abrdf {
@@ -28,11 +30,13 @@ double secondsSince(Clock::time_point start) {
 }
 
 /// The samples of all texels, in memory or in a scratch file.
-TransposedTable tableFor(const ConvertJob& job, const MemoryPlan& memory, const fs::path& output) {
+std::unique_ptr<TransposedTable> tableFor(const ConvertJob& job, const MemoryPlan& memory,
+                                          const fs::path& output) {
     std::optional<fs::path> scratch;
     if (!memory.samplesInMemory) scratch = scratchFolder(output);
-    return {job.samples().pairs.size(), sizeof(Rgb),
-            bandBegins(job.texelOrder(), memory.runsPerBand * memory.runTiles), scratch};
+    return std::make_unique<TransposedTable>(
+        job.samples().pairs.size(), sizeof(Rgb),
+        bandBegins(job.texelOrder(), memory.runsPerBand * memory.runTiles), scratch);
 }
 
 /// Reads all images and turns them into columns of texels.
@@ -48,11 +52,13 @@ ReadFacts readTexels(const ConvertJob& job, const MemoryPlan& memory, Transposed
         }
         table.store(image, {reinterpret_cast<const char*>(rows.data()), rows.size_bytes()});
     };
-    return readImages(job.input, job.samples(), job.texels, memory.readSlots, store, progress);
+    return readImages(job.input, job.samples(), job.texels, job.found.plane, memory.readSlots,
+                      store, progress);
 }
 
 struct Written {
     ValueCounts counts;
+    std::uint64_t dimmed = 0;  ///< As UnrealCounts.
     PixelType type = PixelType::kHalf;
     std::uint64_t bytes = 0;
     std::size_t resumedTiles = 0;
@@ -93,9 +99,11 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
     while (true) {
         written.type = journal.type();
         written.counts = job.header.counts;
+        written.dimmed = 0;
         const auto add = [&](const UnrealCounts& counts) {
             written.counts.clamped += counts.clamped;
             written.counts.nonfinite += counts.nonfinite;
+            written.dimmed += counts.dimmed;
         };
         add(journal.counts());
         AtlasWriter writer(options.output, job.header,
@@ -175,7 +183,9 @@ ordered_json finishedReport(const ConvertJob& job, const ConvertOptions& options
 }  // namespace
 
 ordered_json planConvert(const ConvertOptions& options) {
-    const ConvertJob job = prepareConvert(options, {});
+    ConvertOptions still = options;
+    still.plane.search = false;  // That would decode images.
+    const ConvertJob job = prepareConvert(still, {});
     const MemoryPlan memory = planMemory(job.memory, options.memory);
     std::uint64_t inputBytes = 0;
     const bool hasImages = job.input.reader->table() == nullptr;
@@ -201,21 +211,60 @@ ordered_json planConvert(const ConvertOptions& options) {
     return report;
 }
 
+namespace {
+
+/// What the flow of tiles needs in memory beforehand: the aligned samples.
+void checkUnshiftedMemory(const ConvertJob& job, const ConvertOptions& options) {
+    const std::uint64_t samples =
+        sizeof(Rgb) * job.samples().pairs.size() * job.texels.count() + job.memory.fixedBytes;
+    const std::uint64_t rows = job.layout().kind == AtlasKind::kSpatial
+                                   ? 3 * sizeof(Rgb) * job.grid.pairCount() * job.texels.count()
+                                   : std::uint64_t{128} << 20;
+    if (samples + rows <= options.memory) return;
+    throw std::invalid_argument(
+        fmt::format("--unshift holds all samples in memory, which is bounded to {} MB; give it "
+                    "--memory {}M or more, or leave it out",
+                    options.memory >> 20, ((samples + rows) >> 20) + 1));
+}
+
+ReadFacts countedIn(ConvertJob& job, ReadFacts facts) {
+    if (job.header.shard <= 1) {
+        job.header.counts.nonfinite = facts.leftOut;
+        job.header.counts.outside = facts.outside;
+    }
+    return facts;
+}
+
+ordered_json countsOf(const ValueCounts& counts, std::uint64_t dimmed) {
+    return {{"clamped", counts.clamped},     {"extrapolated", counts.extrapolated},
+            {"nonfinite", counts.nonfinite}, {"missing", counts.missing},
+            {"outside", counts.outside},     {"dimmed", dimmed}};
+}
+
+}  // namespace
+
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
     const auto start = Clock::now();
     ConvertJob job = prepareConvert(options, progress);
     const ordered_json asked = askedOf(job, options);
     if (isFinished(options, asked, job.header.shard)) return finishedReport(job, options, start);
     const MemoryPlan memory = planMemory(job.memory, options.memory);
-    TransposedTable table = tableFor(job, memory, options.output);
-    const ReadFacts facts = readTexels(job, memory, table, progress);
+    if (job.isUnshifted) checkUnshiftedMemory(job, options);
+    std::unique_ptr<TransposedTable> table;
+    ReadStack aligned;
+    if (job.isUnshifted) {
+        aligned = readStack(job.input, job.samples(), job.texels, job.found.plane, progress);
+    } else {
+        table = tableFor(job, memory, options.output);
+    }
+    const ReadFacts facts =
+        countedIn(job, table ? readTexels(job, memory, *table, progress) : aligned.facts);
     malloc_trim(0);
-    if (job.header.shard <= 1) job.header.counts.nonfinite = facts.leftOut;
     const double readSeconds = secondsSince(start);
 
     const std::vector<std::size_t>& images = job.samples().pairs;
     const auto reconstructor =
-        buildReconstructor(options.method, job.planned, job.input, images, facts.means, progress);
+        buildReconstructor(options.method, job.planned, job.input, images, facts, progress);
     malloc_trim(0);
     const ordered_json identity =
         identityOf(asked, facts.hash, meanSamples(images, facts.means, job.samples()),
@@ -226,15 +275,22 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         TexelFinisher(job.grid, {job.input.colors.transform("scene_linear", options.outputSpace),
                                  job.header.cosine == Cosine::kDivided}),
         job.grid.pairCount()};
-    const Written written = writeAtlas(job, options, memory, table, maker, identity, progress);
+    Written written;
+    if (table) {
+        written = writeAtlas(job, options, memory, *table, maker, identity, progress);
+    } else {
+        const UnshiftedAtlas made = writeUnshifted(job, options, aligned.stack, maker, progress);
+        written.counts = made.counts;
+        written.dimmed = made.dimmed;
+        written.type = made.type;
+        written.bytes = made.bytes;
+    }
     ordered_json report = reportOf(job, options);
-    report["counts"] = {{"clamped", written.counts.clamped},
-                        {"extrapolated", written.counts.extrapolated},
-                        {"nonfinite", written.counts.nonfinite},
-                        {"missing", written.counts.missing}};
+    report["counts"] = countsOf(written.counts, written.dimmed);
     const double total = secondsSince(start);
     // Tiles are made while others are written: what remains beside reading and writing.
-    report["time"] = {{"read", readSeconds},
+    report["time"] = {{"read", readSeconds - job.found.seconds},
+                      {"align", job.found.seconds},
                       {"reconstruct", std::max(0.0, total - readSeconds - written.writeSeconds)},
                       {"write", written.writeSeconds},
                       {"total", total}};

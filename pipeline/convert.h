@@ -3,6 +3,7 @@
 
 #include "abrdf/atlas_header.h"
 #include "abrdf/grazing.h"
+#include "pipeline/plane.h"
 #include "pipeline/reconstruction.h"
 #include "stages/write/atlas_writer.h"
 
@@ -33,6 +34,7 @@ struct ConvertOptions {
     std::string grid = "input";        ///< Or what gridFromName() takes.
     Grazing grazing = Grazing::kHold;  ///< Past the measured elevations.
     Texels texels;
+    PlaneChoice plane;
     AtlasKind layout = AtlasKind::kAngular;
     PixelChoice pixel = PixelChoice::kAuto;
     Compression compression = Compression::kZip;

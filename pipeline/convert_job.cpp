@@ -37,6 +37,8 @@ AtlasHeader headerOf(const ConvertJob& job, const ConvertOptions& options) {
     header.conversion = fmt::format("{} -> {}", job.input.inputSpace, header.colorSpace);
     const auto known = knownSpace(job.input.colors.aliases(header.colorSpace));
     header.interopId = known ? std::string(interopId(*known)) : "unknown";
+    header.plane = job.isUnshifted ? 0 : job.found.plane.height;
+    header.margin = marginOf(job.found.plane, description, job.texels);
     header.counts.missing = job.samples().filled;
     header.counts.extrapolated = job.grazing.extrapolatedPairs() * header.layout.texelCount();
     return header;
@@ -74,7 +76,8 @@ std::uint64_t imageBytes(const ConvertJob& job) {
     const bool isFull = job.texels.count() == pixels;
     const std::uint64_t codes = job.input.hasCodes() ? 3 : sizeof(Rgb);
     const std::uint64_t sums = isFull ? 0 : 32 * job.texels.count();
-    return pixels * 2 * codes + sums + 2 * sizeof(Rgb) * job.texels.count();
+    const std::uint64_t shifted = job.found.plane.height != 0 ? 2 * sizeof(Rgb) * pixels : 0;
+    return pixels * 2 * codes + shifted + sums + 2 * sizeof(Rgb) * job.texels.count();
 }
 
 MemoryTask memoryOf(const ConvertJob& job, const ConvertOptions& options) {
@@ -104,6 +107,13 @@ void checkSize(const ConvertJob& job) {
     throw std::invalid_argument(fmt::format(
         "an atlas of {} x {} pixels is too large; choose fewer texels or a smaller grid", width,
         height));
+}
+
+void checkUnshift(const ConvertJob& job, const ConvertOptions& options) {
+    if (!job.isUnshifted || (!options.resume && options.shard.count == 1)) return;
+    throw std::invalid_argument(
+        "--unshift makes each texel of many others, so that it can be neither resumed nor cut into "
+        "shards; leave --resume and --shard out");
 }
 
 /// A number for a list of directions.
@@ -155,6 +165,9 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     job.grazing =
         GrazingMap(job.grid, description.maxMeasuredTheta, options.grazing, description.cosine);
     job.planned = planMethod(options.method, job.input, job.grazing.inner(), progress);
+    job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
+    job.isUnshifted = options.plane.unshift && job.found.plane.height != 0;
+    checkUnshift(job, options);
     job.header = headerOf(job, options);
     takeShard(job, options.shard);
     checkSize(job);
@@ -172,34 +185,37 @@ ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options) {
     const auto number = [](const std::optional<double>& value) {
         return value ? ordered_json(*value) : ordered_json("auto");
     };
-    return {{"version", ABRDF_VERSION},
-            {"source", job.header.source},
-            {"images", job.samples().pairs.size()},
-            {"input_space", job.input.inputSpace},
-            {"missing", options.input.missing == MissingImages::kFill ? "fill" : "error"},
-            {"method", choice.name},
-            {"plan", job.header.plan},
-            {"samples", hex(plan)},
-            {"noise", number(choice.noise)},
-            {"saturated", number(choice.saturated)},
-            {"rank", choice.options.rank},
-            {"per_texel", choice.options.perTexel},
-            {"grid", hex(grid)},
-            {"grazing", nameOf(options.grazing)},
-            {"texels", fmt::format("{}x{}", job.texels.width, job.texels.height)},
-            {"layout", nameOf(options.layout)},
-            {"pixel", options.pixel == PixelChoice::kAuto   ? "auto"
-                      : options.pixel == PixelChoice::kHalf ? "half"
-                                                            : "float"},
-            {"compression", nameOf(options.compression)},
-            {"output_space", job.header.colorSpace},
-            {"cosine", options.divideCosine ? "divide" : "keep"}};
+    return {
+        {"version", ABRDF_VERSION},
+        {"source", job.header.source},
+        {"images", job.samples().pairs.size()},
+        {"input_space", job.input.inputSpace},
+        {"missing", options.input.missing == MissingImages::kFill ? "fill" : "error"},
+        {"method", choice.name},
+        {"plan", job.header.plan},
+        {"samples", hex(plan)},
+        {"noise", number(choice.noise)},
+        {"saturated", number(choice.saturated)},
+        {"rank", choice.options.rank},
+        {"per_texel", choice.options.perTexel},
+        {"grid", hex(grid)},
+        {"grazing", nameOf(options.grazing)},
+        {"texels", fmt::format("{}x{}", job.texels.width, job.texels.height)},
+        {"plane", fmt::format("{:g} {}", job.found.plane.height,
+                              job.found.plane.edges == Edges::kPeriodic ? "periodic" : "cropped")},
+        {"layout", nameOf(options.layout)},
+        {"pixel", options.pixel == PixelChoice::kAuto   ? "auto"
+                  : options.pixel == PixelChoice::kHalf ? "half"
+                                                        : "float"},
+        {"compression", nameOf(options.compression)},
+        {"output_space", job.header.colorSpace},
+        {"cosine", options.divideCosine ? "divide" : "keep"}};
 }
 
 ordered_json identityOf(ordered_json asked, std::uint64_t hash, std::span<const Rgb> meanSamples,
                         const Reconstructor& reconstructor, std::size_t pairs) {
     std::vector<Rgb> mean(pairs);
-    reconstructBlock(meanSamples, reconstructor, mean);
+    reconstructBlock(meanSamples, 1, reconstructor, mean);
     asked["values"] = hex(hash);
     asked["mean"] =
         hex(contentHash({reinterpret_cast<const char*>(mean.data()), mean.size() * sizeof(Rgb)}));
@@ -232,6 +248,7 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options) {
                        {"conversions", ordered_json::array({conversion})}};
     report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
     report["grazing"] = nameOf(options.grazing);
+    report["plane"] = jsonOf(job.found, description.grid);
     if (job.header.shard > 0) report["shard"] = {job.header.shard, job.header.shards};
     return report;
 }

@@ -20,6 +20,7 @@ namespace abrdf {
 struct ConvertJob {
     OpenedInput input;
     PlannedMethod planned;
+    FoundPlane found;
     AngularGrid grid;
     GrazingMap grazing;  ///< From the elevations that are measured to the grid's.
     Texels texels;       ///< Of the whole atlas.
@@ -29,6 +30,9 @@ struct ConvertJob {
 
     const AtlasLayout& layout() const { return header.layout; }
     const SampleSet& samples() const { return planned.samples; }
+
+    /// Is the atlas to stand in the database's own frame, though its images were shifted?
+    bool isUnshifted = false;
 
     /// The order of the columns of the table of texels: that of an angular atlas's tiles, or of
     /// rows.

@@ -8,6 +8,7 @@
 #include "abrdf/output_file.h"
 #include "pipeline/demo_image.h"
 #include "pipeline/zip_folder.h"
+#include "stages/align/shift_image.h"
 
 #include <fmt/format.h>
 
@@ -64,6 +65,10 @@ std::string imageName(const AngularGrid& grid, std::size_t pair, DemoFormat form
                        degrees(view.phi), extension(format));
 }
 
+DemoFormat formatOf(const DemoOptions& options) {
+    return options.hdr ? DemoFormat::kExr : DemoFormat::kJpeg;
+}
+
 /// `target` without a slash at its end, and with its name where it was "." or "..".
 fs::path named(const fs::path& target) {
     const fs::path path = fs::absolute(target).lexically_normal();
@@ -84,8 +89,9 @@ void checkTarget(const fs::path& target, bool isZip) {
     }
 }
 
-void renderImages(const DemoCloth& cloth, const DemoImageWriter& writer, DemoFormat format,
+void renderImages(const DemoCloth& cloth, const DemoImageWriter& writer, const DemoOptions& options,
                   const fs::path& folder, const ProgressSink& progress) {
+    const DemoFormat format = formatOf(options);
     const AngularGrid grid(ubo81Directions());
     for (const Direction& view : grid.views()) fs::create_directory(folder / folderOfView(view));
 
@@ -97,6 +103,11 @@ void renderImages(const DemoCloth& cloth, const DemoImageWriter& writer, DemoFor
         std::vector<Rgb> image(texels);
         cloth.render(Imath::V3f(vectorFromDirection(light)), Imath::V3f(vectorFromDirection(view)),
                      image);
+        const Shift shift = parallax(-options.height, view);
+        if (shift.x != 0 || shift.y != 0) {
+            const std::vector<Rgb> atSurface = image;
+            shiftImage(atSurface, cloth.size(), cloth.size(), shift, Edges::kPeriodic, image);
+        }
         writer.write(folder / imageName(grid, pair, format), image);
         if (progress) progress({"render", "images", ++done, grid.pairCount()});
     });
@@ -124,17 +135,16 @@ void writeDemoDatabase(const fs::path& target, const DemoOptions& options,
                        const ProgressSink& progress) {
     const fs::path path = named(target);
     const bool isZip = path.extension() == ".zip";
-    const DemoFormat format = options.hdr ? DemoFormat::kExr : DemoFormat::kJpeg;
     checkTarget(path, isZip);
-    const DemoCloth cloth(options.size, options.seed);
-    const DemoImageWriter writer(options.size, format);
+    const DemoCloth cloth(options.size, options.seed, options.relief);
+    const DemoImageWriter writer(options.size, formatOf(options));
 
     // An empty folder may be a disk of its own: then the work is done on that disk.
     const bool fillFolder = !isZip && fs::exists(path);
     const StagingFolder staging(temporaryBeside(fillFolder ? path / "images" : path));
     const fs::path images = staging.path() / "images";
     fs::create_directory(images);
-    renderImages(cloth, writer, format, images, progress);
+    renderImages(cloth, writer, options, images, progress);
 
     if (isZip) {
         const fs::path archive = staging.path() / "database.zip";

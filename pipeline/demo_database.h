@@ -12,6 +12,8 @@ struct DemoOptions {
     int size = 64;           ///< Texels each way, 1 .. 1024.
     std::uint64_t seed = 1;  ///< The same seed makes the same bytes, another one other colours.
     bool hdr = false;        ///< Half-float EXR with whole highlights; else JPEG clipped at 1.
+    float relief = 1;        ///< Stretches the cloth's heights: 0 is flat, 1 as it is woven.
+    double height = 0;       ///< Of its surface above the plane of rectification, in texels.
 };
 
 /// Writes a licence-free BTF database of a virtual cloth in UBO2003's layout: 81 x 81 images

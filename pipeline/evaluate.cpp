@@ -3,6 +3,9 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "pipeline/evaluate_report.h"
+#include "pipeline/evaluate_sheet.h"
+#include "pipeline/unshifted_texels.h"
 #include "stages/measure/contact_sheet.h"
 #include "stages/measure/measures.h"
 #include "stages/slice/choose_samples.h"
@@ -22,43 +25,38 @@ namespace {
 
 /// The full measurement, and what is needed to compare with it.
 struct Reference {
-    ImageStack stack;
-    std::vector<Rgb> imageMeans;
-    AbrdfTile truth;                    ///< All texels, linear Rec.709.
+    AbrdfTile truth;  ///< All texels, linear Rec.709; NaN where a shifted image has nothing.
+    Plane plane;      ///< That its images are shifted to.
     std::vector<std::uint8_t> present;  ///< One flag a pair.
     ColorTransform toRec709;
 };
 
-Reference readReference(const OpenedInput& input, const EvaluateOptions& options,
+Reference readReference(const OpenedInput& input, Texels texels, const Plane& plane,
                         const ProgressSink& progress) {
     const BtfDescription& description = input.description();
-    const Texels texels = resolvedTexels(options.texels, description);
     const SampleSet everything =
         samplesFor(methodFromName("measured"), {}, input, description.grid);
-    ReadStack read = readStack(input, everything, texels, progress);
-    Reference reference{std::move(read.stack),
-                        std::move(read.facts.means),
-                        {},
+    const ImageStack stack = readStack(input, everything, texels, plane, progress).stack;
+    Reference reference{sliceTexels(stack, everything, 0, stack.texelCount()).samples, plane,
                         description.present,
                         input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)")};
-    reference.truth =
-        sliceTexels(reference.stack, everything, 0, reference.stack.texelCount()).samples;
     forEachTexelBlock(reference.truth.texelCount(), 1, [&](std::size_t texel, std::size_t) {
         reference.toRec709.apply(reference.truth[texel]);
+        // What has no measurement is not compared, whatever filled it.
+        for (std::size_t i = 0; plane.height != 0 && i < stack.pairs().size(); ++i) {
+            const Rgb measured = stack.image(i)[texel];
+            if (!isFinite(measured)) reference.truth[texel][stack.pairs()[i]] = measured;
+        }
     });
     return reference;
 }
 
-/// Flags of the pairs to compare, repeated for each texel: measured ones, without `excluded`.
+/// Flags of the pairs to compare: measured ones, without `excluded`.
 std::vector<std::uint8_t> maskOf(const Reference& reference,
                                  const std::vector<std::size_t>& excluded) {
     std::vector<std::uint8_t> pairs = reference.present;
     for (const std::size_t pair : excluded) pairs[pair] = 0;
-    std::vector<std::uint8_t> mask;
-    for (std::size_t t = 0; t < reference.truth.texelCount(); ++t) {
-        mask.insert(mask.end(), pairs.begin(), pairs.end());
-    }
-    return mask;
+    return pairs;
 }
 
 /// Median of warm repetitions on one core, in microseconds: of as many texels as the method likes
@@ -82,79 +80,113 @@ double microsecondsPerAbrdf(const Reconstructor& reconstructor, const AbrdfTile&
     return times[times.size() / 2];
 }
 
-ordered_json jsonOf(const Measures& m) {
-    return {
-        {"delta_e", m.deltaE}, {"delta_e_2000", m.deltaE2000}, {"rmse", m.rmse}, {"psnr", m.psnr}};
-}
+/// What a method makes of one input.
+struct Reconstruction {
+    PlannedMethod planned;
+    FoundPlane found;
+    AbrdfTile abrdfs;  ///< Linear Rec.709.
+    double microsecondsPerAbrdf = 0;
+    double multiplyAdds = 0;
+};
 
-ordered_json jsonOf(const Accuracy& accuracy) {
-    ordered_json json = jsonOf(accuracy.natural);
-    json["stops"] = accuracy.stops;
-    json["highlight"] = jsonOf(accuracy.highlight);
-    json["pairs"] = accuracy.pairs;
-    return json;
-}
-
-/// Mean over all texels, pair by pair: what the sheet shows.
-std::vector<Rgb> meanAbrdf(const AbrdfTile& tile) {
-    std::vector<Rgb> mean(tile.valuesPerTexel());
-    const float share = 1.0F / static_cast<float>(tile.texelCount());
-    for (std::size_t t = 0; t < tile.texelCount(); ++t) {
-        for (std::size_t pair = 0; pair < mean.size(); ++pair) mean[pair] += share * tile[t][pair];
-    }
-    return mean;
-}
-
-ordered_json evaluateMethod(const std::string& name, const OpenedInput& input,
-                            const Reference& reference, const EvaluateOptions& options,
-                            ContactSheet& sheet, const ProgressSink& progress) {
+Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input, Texels texels,
+                           const PlaneChoice& plane, const ProgressSink& progress) {
     const AngularGrid& grid = input.description().grid;
-    MethodChoice choice = options.choice;
-    choice.name = name;
-    choice.options.exposure = options.exposure;
-    const PlannedMethod planned = planMethod(choice, input, grid, progress);
-    const Method& method = *planned.method;
-    const SampleSet& samples = planned.samples;
-    // A table's samples lie off its grid; images are those of the reference.
-    const bool isTable = input.reader->table() != nullptr;
-    const ReadStack own = isTable ? readStack(input, samples, {1, 1}, {}) : ReadStack{};
-    const ImageStack& stack = isTable ? own.stack : reference.stack;
-    const auto sampledOnGrid = isTable && method.wish != SampleWish::kEverything
-                                   ? std::vector<std::size_t>{}
-                                   : samples.pairs;
+    Reconstruction result;
+    result.planned = planMethod(choice, input, grid, progress);
+    const SampleSet& samples = result.planned.samples;
+    result.found = planeOf(result.planned, plane, input, texels, progress);
+    const ReadStack read = readStack(input, samples, texels, result.found.plane, progress);
+    const ImageStack& stack = read.stack;
     const auto reconstructor =
-        buildReconstructor(choice, planned, input, stack.pairs(),
-                           isTable ? own.facts.means : reference.imageMeans, progress);
+        buildReconstructor(choice, result.planned, input, stack.pairs(), read.facts, progress);
     const SlicedTexels sliced = sliceTexels(stack, samples, 0, stack.texelCount());
-    AbrdfTile abrdfs = reconstructTexels(sliced.samples, grid, *reconstructor).abrdfs;
-    forEachTexelBlock(abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {
-        reference.toRec709.apply(abrdfs[texel]);
-    });
-    const MeasureOptions measure{options.exposure};
-    const auto accuracy = [&](const std::vector<std::size_t>& excluded) {
-        return measureAccuracy(reference.truth.values(), abrdfs.values(),
-                               maskOf(reference, excluded), measure);
+    const auto all = [&](int, int) {
+        return reconstructTexels(sliced.samples, grid, *reconstructor);
     };
-    ordered_json result;
-    result["method"] = name;
-    result["plan"] = planned.planName();
-    result["samples"] = samples.count();
-    result["images_read"] = samples.pairs.size();
-    result.update(jsonOf(accuracy({})));
-    result["unsampled"] = jsonOf(accuracy(sampledOnGrid));
-    result["microseconds_per_abrdf"] =
+    result.abrdfs =
+        plane.unshift && result.found.plane.height != 0
+            ? UnshiftedTexels(result.found.plane, input.description(), texels, grid, all)
+                  .rows(0, texels.height)
+                  .abrdfs
+            : all(0, texels.height).abrdfs;
+    const ColorTransform toRec709 = input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)");
+    forEachTexelBlock(result.abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {
+        toRec709.apply(result.abrdfs[texel]);
+    });
+    result.microsecondsPerAbrdf =
         microsecondsPerAbrdf(*reconstructor, sliced.samples, grid.pairCount());
-    result["multiply_adds"] = reconstructor->multiplyAdds();
-    sheet.rows.push_back(
-        {fmt::format("{}, plan {}, {} samples", name, result["plan"].get<std::string>(),
-                     samples.count()),
-         fmt::format("Delta E {:.2f}   PSNR {:.1f} dB   {} images", result["delta_e"].get<double>(),
-                     result["psnr"].get<double>(), samples.pairs.size()),
-         meanAbrdf(abrdfs)});
+    result.multiplyAdds = reconstructor->multiplyAdds();
     return result;
 }
 
+ordered_json measured(const Reconstruction& reconstruction, const Reference& reference,
+                      const OpenedInput& input, Texels texels, const EvaluateOptions& options) {
+    const PlannedMethod& planned = reconstruction.planned;
+    const SampleSet& samples = planned.samples;
+    // A table's samples lie off its grid.
+    const bool isOffGrid =
+        input.reader->table() != nullptr && planned.method->wish != SampleWish::kEverything;
+    const std::vector<std::vector<std::uint8_t>> masks = {
+        maskOf(reference, {}),
+        maskOf(reference, isOffGrid ? std::vector<std::size_t>{} : samples.pairs)};
+    const std::vector<TexelMeasures> measures = measureTexels(
+        reference.truth, reconstruction.abrdfs, masks, MeasureOptions{options.exposure});
+    std::vector<ordered_json> json;
+    for (std::size_t m = 0; m < masks.size(); ++m) {
+        json.push_back(jsonOf(measures[m].accuracy));
+        if (texels.width * texels.height == 1) continue;
+        const SeenOptions seen{.exposure = options.exposure,
+                               .isPeriodic = reconstruction.found.plane.edges == Edges::kPeriodic};
+        json.back()["texels"] =
+            jsonOf(measures[m], measureSeenImages(reference.truth, reconstruction.abrdfs,
+                                                  texels.width, texels.height, masks[m], seen));
+    }
+    ordered_json result;
+    result["method"] = planned.method->name;
+    result["plan"] = planned.planName();
+    result["samples"] = samples.count();
+    result["images_read"] = samples.pairs.size();
+    result.update(json[0]);
+    result["unsampled"] = json[1];
+    result["plane"] = jsonOf(reconstruction.found, input.description().grid);
+    result["microseconds_per_abrdf"] = reconstruction.microsecondsPerAbrdf;
+    result["multiply_adds"] = reconstruction.multiplyAdds;
+    return result;
+}
+
+/// Measurement and reconstruction at the measured pairs nearest to those that were asked for.
+std::vector<SheetImage> sheetImages(const Reconstruction& reconstruction,
+                                    const Reference& reference, const AngularGrid& grid,
+                                    const std::vector<LightAndView>& wanted) {
+    const std::vector<std::size_t>& sampled = reconstruction.planned.samples.pairs;
+    std::vector<SheetImage> images;
+    for (const LightAndView& place : wanted) {
+        std::size_t best = 0;
+        for (std::size_t pair = 0; pair < grid.pairCount(); ++pair) {
+            if (reference.present[pair] != 0 &&
+                squaredDistance(grid.pair(pair), place) < squaredDistance(grid.pair(best), place)) {
+                best = pair;
+            }
+        }
+        const bool isSampled = std::ranges::binary_search(sampled, best);
+        images.push_back({fmt::format("{}, {}", pairName(grid.pair(best)),
+                                      isSampled ? "a sample" : "not sampled"),
+                          imageOf(reference.truth, best), imageOf(reconstruction.abrdfs, best)});
+    }
+    return images;
+}
+
 }  // namespace
+
+std::vector<LightAndView> defaultImagePairs() {
+    const auto direction = [](double theta, double phi) {
+        return Direction{radiansFromDegrees(theta), radiansFromDegrees(phi)};
+    };
+    return {{direction(30, 90), direction(0, 0)},
+            {direction(45, 0), direction(45, 160)},
+            {direction(30, 210), direction(75, 30)}};
+}
 
 ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progress) {
     if (!(options.exposure > 0)) throw std::invalid_argument("the exposure must be above 0");
@@ -165,50 +197,44 @@ ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progre
 
     const OpenedInput input = openInput(options.input);
     const AngularGrid& grid = input.description().grid;
-    const Reference reference = readReference(input, options, progress);
+    const Texels texels = resolvedTexels(options.texels, input.description());
+    Reference reference;
     ContactSheet sheet;
     sheet.title = input.description().source;
     sheet.lights = grid.lights().size();
     sheet.views = grid.views().size();
     sheet.exposure = options.exposure;
-    sheet.measurement = meanAbrdf(reference.truth);
+    sheet.imageWidth = texels.width;
+    sheet.imageHeight = texels.height;
 
     ordered_json report;
     report["command"] = "evaluate";
     report["version"] = ABRDF_VERSION;
     report["input"] = input.description().source;
     report["pairs"] = grid.pairCount();
-    report["texels"] = {reference.stack.width(), reference.stack.height()};
+    report["texels"] = {texels.width, texels.height};
     report["exposure"] = options.exposure;
     report["results"] = ordered_json::array();
     for (const std::string& method : options.methods) {
-        report["results"].push_back(
-            evaluateMethod(method, input, reference, options, sheet, progress));
+        MethodChoice choice = options.choice;
+        choice.name = method;
+        choice.options.exposure = options.exposure;
+        const Reconstruction reconstruction =
+            reconstruct(choice, input, texels, options.plane, progress);
+        // Results are compared in the frame that they are in.
+        const Plane frame = options.plane.unshift ? Plane{} : reconstruction.found.plane;
+        if (reference.truth.texelCount() == 0 || reference.plane.height != frame.height) {
+            reference = {};  // Its memory first.
+            reference = readReference(input, texels, frame, progress);
+            if (sheet.measurement.empty()) sheet.measurement = meanAbrdf(reference.truth);
+        }
+        report["results"].push_back(measured(reconstruction, reference, input, texels, options));
+        sheet.rows.push_back(sheetRowOf(report["results"].back(), reconstruction.abrdfs));
+        if (options.sheet.empty() || reference.truth.texelCount() == 1) continue;
+        sheet.rows.back().images = sheetImages(reconstruction, reference, grid, options.imagePairs);
     }
     if (!options.sheet.empty()) writeContactSheet(options.sheet, sheet);
     return report;
-}
-
-std::string tableOf(const ordered_json& report) {
-    std::string table = fmt::format("{}: {} pairs\n", report["input"].get<std::string>(),
-                                    report["pairs"].get<std::size_t>());
-    table += fmt::format("{:<12}{:<9}{:>8}{:>8} |{:>8}{:>8}{:>8}{:>8} |{:>8}{:>8} |{:>7}{:>12}\n",
-                         "method", "plan", "samples", "images", "dE76", "dE2000", "RMSE", "PSNR",
-                         "hi dE76", "hi PSNR", "stops", "us/ABRDF");
-    for (const ordered_json& r : report["results"]) {
-        const auto number = [](const ordered_json& from, const char* key) {
-            return from[key].get<double>();
-        };
-        table += fmt::format(
-            "{:<12}{:<9}{:>8}{:>8} |{:>8.2f}{:>8.2f}{:>8.2f}{:>8.1f} |{:>8.2f}{:>8.1f} "
-            "|{:>7.2f}{:>12.1f}\n",
-            r["method"].get<std::string>(), r["plan"].get<std::string>(),
-            r["samples"].get<std::size_t>(), r["images_read"].get<std::size_t>(),
-            number(r, "delta_e"), number(r, "delta_e_2000"), number(r, "rmse"), number(r, "psnr"),
-            number(r["highlight"], "delta_e"), number(r["highlight"], "psnr"), number(r, "stops"),
-            number(r, "microseconds_per_abrdf"));
-    }
-    return table;
 }
 
 }  // namespace abrdf

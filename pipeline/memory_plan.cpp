@@ -149,6 +149,8 @@ MemoryPlan planMemory(const MemoryTask& task, std::uint64_t budget) {
     }
     std::uint64_t smallest = task.fixedBytes / kMega;
     while (!planner.planWith(1, 1, smallest * kMega)) smallest += 1 + smallest / 64;
+    constexpr std::uint64_t kFromRunToRun = 4;  // What of the libraries is resident differs.
+    smallest += kFromRunToRun;
     throw std::invalid_argument(
         fmt::format("--memory {}M is too small for this job; the smallest that works is {}M",
                     budget / kMega, smallest));

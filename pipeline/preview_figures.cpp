@@ -4,6 +4,7 @@
 #include "color/delta_e.h"
 #include "color/known_space.h"
 #include "pipeline/job.h"
+#include "pipeline/named_pair.h"
 #include "pipeline/picture_output.h"
 #include "pipeline/shown_atlas.h"
 #include "stages/preview/polar_plot.h"
@@ -84,33 +85,6 @@ SheetImages wholeTable(const Figures& figures) {
         compare(row, figures);
     }
     return row;
-}
-
-LightAndView pairFrom(const std::string& text) {
-    std::vector<double> degrees;
-    const char* at = text.data();
-    const char* end = at + text.size();
-    while (at < end && degrees.size() < 5) {
-        double value = 0;
-        const auto [rest, error] = std::from_chars(at, end, value);
-        if (error != std::errc()) break;
-        degrees.push_back(value);
-        at = rest < end && *rest == ',' ? rest + 1 : rest;
-        if (rest == at && rest < end) break;
-    }
-    const bool valid = at == end && degrees.size() == 4 && degrees[0] >= 0 && degrees[0] <= 90 &&
-                       degrees[2] >= 0 && degrees[2] <= 90;
-    if (!valid) {
-        throw std::invalid_argument(fmt::format(
-            "the pair '{}' is not understood: write THETA_I,PHI_I,THETA_V,PHI_V in degrees, as "
-            "30,90,15,0",
-            text));
-    }
-    const auto direction = [&](std::size_t i) {
-        return Direction{radiansFromDegrees(degrees[i]),
-                         wrappedAzimuth(radiansFromDegrees(degrees[i + 1]))};
-    };
-    return {direction(0), direction(2)};
 }
 
 std::vector<Rgb> mapAt(const Atlas& atlas, const LightAndView& pair) {

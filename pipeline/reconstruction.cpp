@@ -55,12 +55,9 @@ std::vector<Rgb> meanSamples(std::span<const std::size_t> images, std::span<cons
     return means;
 }
 
-std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
-                                                  const PlannedMethod& planned,
-                                                  const OpenedInput& input,
-                                                  std::span<const std::size_t> images,
-                                                  std::span<const Rgb> imageMeans,
-                                                  const ProgressSink& progress) {
+std::unique_ptr<Reconstructor> buildReconstructor(
+    const MethodChoice& choice, const PlannedMethod& planned, const OpenedInput& input,
+    std::span<const std::size_t> images, const ReadFacts& facts, const ProgressSink& progress) {
     ReconstructionTask task;
     task.samples = planned.samples;
     task.input = planned.input;
@@ -70,7 +67,9 @@ std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
     task.options.noise = choice.noise.value_or(input.hasCodes() ? kNoiseOfCodes : 0);
     task.options.saturated = choice.saturated.value_or(input.hasCodes() ? kSaturatedCodes : 0);
     if (planned.method->needsPrior) {
-        task.mean = meanSamples(images, imageMeans, planned.samples);
+        task.mean = meanSamples(images, facts.means, planned.samples);
+        task.someTexels.resize(facts.someTexels.size() / images.size() * task.samples.count());
+        TexelSlicer(images, planned.samples).slice(facts.someTexels, 0, task.someTexels);
         task.prior = modelFor(choice, planned, progress, input.warn);
     }
     return planned.method->make(task);

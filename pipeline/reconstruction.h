@@ -44,12 +44,10 @@ PlannedMethod planMethod(const MethodChoice& choice, const OpenedInput& input,
 std::vector<Rgb> meanSamples(std::span<const std::size_t> images, std::span<const Rgb> imageMeans,
                              const SampleSet& samples);
 
-/// The reconstructor for what was planned, for the material of these means.
-std::unique_ptr<Reconstructor> buildReconstructor(const MethodChoice& choice,
-                                                  const PlannedMethod& planned,
-                                                  const OpenedInput& input,
-                                                  std::span<const std::size_t> images,
-                                                  std::span<const Rgb> imageMeans,
-                                                  const ProgressSink& progress);
+/// The reconstructor for what was planned, for the material of these images, whose pairs are
+/// `images`, ascending.
+std::unique_ptr<Reconstructor> buildReconstructor(
+    const MethodChoice& choice, const PlannedMethod& planned, const OpenedInput& input,
+    std::span<const std::size_t> images, const ReadFacts& facts, const ProgressSink& progress);
 
 }  // namespace abrdf

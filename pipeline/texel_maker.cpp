@@ -7,6 +7,12 @@ namespace abrdf {
 
 void TexelMaker::make(std::span<const Rgb> band, std::size_t first, std::size_t count,
                       Buffers& buffers) const {
+    makeUnfinished(band, first, count, buffers);
+    finisher.finish(buffers.abrdfs);
+}
+
+void TexelMaker::makeUnfinished(std::span<const Rgb> band, std::size_t first, std::size_t count,
+                                Buffers& buffers) const {
     const std::size_t samples = slicer.sampleCount();
     const bool extends = !grazing.isIdentity();
     const std::size_t innerPairs = grazing.inner().pairCount();
@@ -19,17 +25,14 @@ void TexelMaker::make(std::span<const Rgb> band, std::size_t first, std::size_t 
     const std::size_t atOnce = reconstructor.texelsAtOnce();
     for (std::size_t t = 0; t < count; t += atOnce) {
         const std::size_t n = std::min(atOnce, count - t);
-        const UnrealCounts counts =
-            reconstructBlock(std::span(buffers.samples).subspan(t * samples, n * samples),
+        buffers.unreal +=
+            reconstructBlock(std::span(buffers.samples).subspan(t * samples, n * samples), n,
                              reconstructor, made.subspan(t * innerPairs, n * innerPairs));
-        buffers.unreal.clamped += counts.clamped;
-        buffers.unreal.nonfinite += counts.nonfinite;
     }
     const std::span<Rgb> abrdfs = buffers.abrdfs;
     for (std::size_t t = 0; extends && t < count; ++t) {
         grazing.apply(made.subspan(t * innerPairs, innerPairs), abrdfs.subspan(t * pairs, pairs));
     }
-    finisher.finish(abrdfs);
 }
 
 }  // namespace abrdf

@@ -31,6 +31,10 @@ struct TexelMaker {
     /// Makes texels [first, first + count) of a band of images; abrdfs: all pairs of each.
     void make(std::span<const Rgb> band, std::size_t first, std::size_t count,
               Buffers& buffers) const;
+
+    /// The same but for the last step, in scene_linear.
+    void makeUnfinished(std::span<const Rgb> band, std::size_t first, std::size_t count,
+                        Buffers& buffers) const;
 };
 
 }  // namespace abrdf

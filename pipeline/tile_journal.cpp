@@ -27,7 +27,7 @@ std::optional<TilesAdded> entryOf(const std::string& line) {
     TilesAdded added;
     std::string end;
     stream >> added.written.tiles >> added.written.end >> added.hash >> added.counts.clamped >>
-        added.counts.nonfinite >> end;
+        added.counts.nonfinite >> added.counts.dimmed >> end;
     if (!stream || end != "whole") return {};
     return added;
 }
@@ -102,8 +102,7 @@ bool TileJournal::readBack(const ordered_json& job) {
         }
         good = journal.tellg();
         written_ = entry->written;
-        counts_.clamped += entry->counts.clamped;
-        counts_.nonfinite += entry->counts.nonfinite;
+        counts_ += entry->counts;
     }
     if (written_.tiles > 0) fs::resize_file(path_, static_cast<std::uintmax_t>(good));
     return written_.tiles > 0;
@@ -126,7 +125,8 @@ void TileJournal::restart(PixelType type) {
 
 void TileJournal::add(const TilesAdded& added) {
     stream_ << added.written.tiles << ' ' << added.written.end << ' ' << added.hash << ' '
-            << added.counts.clamped << ' ' << added.counts.nonfinite << " whole\n";
+            << added.counts.clamped << ' ' << added.counts.nonfinite << ' ' << added.counts.dimmed
+            << " whole\n";
     if (!stream_.flush()) {
         throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
     }

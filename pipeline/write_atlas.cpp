@@ -167,8 +167,8 @@ std::optional<UnrealCounts> fillItems(const AtlasRun& run, const TileOrder& orde
         }
     };
     flow.deliver = [&](std::size_t, std::size_t s) {
-        total.clamped += slots[s].texels.unreal.clamped + slots[s].cut;
-        total.nonfinite += slots[s].texels.unreal.nonfinite;
+        total += slots[s].texels.unreal;
+        total.clamped += slots[s].cut;
     };
     runFlow(flow);
     if (ended) return {};

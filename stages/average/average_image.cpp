@@ -147,6 +147,30 @@ void addRow(const Row& row, double rowShare, std::span<Sum> sums) {
     }
 }
 
+/// Sums of an image row by row: addPixels(y, rowShare, sums of a row of texels) for each row of
+/// pixels and each row of texels that it has a share in.
+template <typename AddPixels>
+std::vector<Sum> sumTexels(int imageHeight, int width, int height, const AddPixels& addPixels) {
+    std::vector<Sum> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = 0; y < imageHeight; ++y) {
+        for (int texel = texelOfPixel(y, imageHeight, height); texel < height; ++texel) {
+            const double rowShare = share(y, imageHeight, texel, height);
+            if (rowShare == 0) break;
+            addPixels(y, rowShare,
+                      std::span(sums).subspan(static_cast<std::size_t>(texel * width),
+                                              static_cast<std::size_t>(width)));
+        }
+    }
+    return sums;
+}
+
+void checkTexels(int imageWidth, int imageHeight, int width, int height) {
+    if (width >= 1 && height >= 1 && width <= imageWidth && height <= imageHeight) return;
+    throw std::invalid_argument(
+        fmt::format("{} x {} texels cannot be made of images of {} x {} pixels", width, height,
+                    imageWidth, imageHeight));
+}
+
 double channel(const Rgb& c, std::size_t index) {
     return static_cast<double>(index == 0 ? c.r : index == 1 ? c.g : c.b);
 }
@@ -192,6 +216,21 @@ std::array<double, 3> product(const std::array<std::array<double, 3>, 3>& matrix
 Rgb light(const std::array<double, 3>& mean) {
     const auto atLeast0 = [](double v) { return static_cast<float>(std::max(0.0, v)); };
     return {atLeast0(mean[0]), atLeast0(mean[1]), atLeast0(mean[2])};
+}
+
+/// table: of the codes that were summed, or null where light was.
+void meansOf(std::span<const Sum> sums, const CodeTable* table, std::span<Rgb> texels) {
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Sum& s = sums[i];
+        if (s.weight <= 0) {
+            texels[i] = {kNaN, kNaN, kNaN};
+            continue;
+        }
+        std::array<double, 3> mean = {s.r / s.weight, s.g / s.weight, s.b / s.weight};
+        if (table != nullptr && table->matrix) mean = product(*table->matrix, mean);
+        texels[i] = light(mean);
+    }
 }
 
 /// True where the table says what the transform does, to a float's rounding.
@@ -262,54 +301,49 @@ void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::sp
 
 std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer, int width,
                          int height, std::span<Rgb> texels) {
-    if (width < 1 || height < 1 || width > image.width || height > image.height) {
-        throw std::invalid_argument(
-            fmt::format("{} x {} texels cannot be made of images of {} x {} pixels", width, height,
-                        image.width, image.height));
-    }
+    checkTexels(image.width, image.height, width, height);
     const auto columns = static_cast<std::size_t>(image.width);
     const auto* codes = std::get_if<std::vector<std::uint8_t>>(&image.rgb);
     const CodeTable* table = codes != nullptr ? linearizer.table() : nullptr;
-    std::vector<Rgb> colors(table == nullptr ? columns : 0);
-    std::vector<Sum> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    if (table != nullptr) {
+        const auto addCodes = [&](int y, double rowShare, std::span<Sum> row) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * columns;
+            addRow(CodedRow(std::span(*codes).subspan(first, 3 * columns), *table), rowShare, row);
+        };
+        meansOf(sumTexels(image.height, width, height, addCodes), table, texels);
+        return 0;
+    }
+    std::vector<Rgb> colors(columns);
     std::size_t leftOut = 0;
-    for (int y = 0; y < image.height; ++y) {
-        const std::size_t first = static_cast<std::size_t>(y) * columns;
-        bool allValid = true;
-        if (table == nullptr) {
-            linearizer.linearize(image, first, colors);
-            // Bad pixels are NaN now; a negative channel is a colour outside the working space.
-            allValid = areFinite(colors);
-            if (!allValid) {
-                leftOut +=
-                    columns - static_cast<std::size_t>(std::ranges::count_if(colors, isFinite));
+    bool allValid = true;
+    int linear = -1;  // The row that `colors` holds.
+    const std::vector<Sum> sums =
+        sumTexels(image.height, width, height, [&](int y, double rowShare, std::span<Sum> row) {
+            if (y != linear) {
+                linear = y;
+                linearizer.linearize(image, static_cast<std::size_t>(y) * columns, colors);
+                // Bad pixels are NaN now; a negative channel is a colour outside the working space.
+                allValid = areFinite(colors);
+                if (!allValid) {
+                    leftOut +=
+                        columns - static_cast<std::size_t>(std::ranges::count_if(colors, isFinite));
+                }
             }
-        }
-        for (int texel = texelOfPixel(y, image.height, height); texel < height; ++texel) {
-            const double rowShare = share(y, image.height, texel, height);
-            if (rowShare == 0) break;
-            const auto row = std::span(sums).subspan(static_cast<std::size_t>(texel * width),
-                                                     static_cast<std::size_t>(width));
-            if (table != nullptr) {
-                addRow(CodedRow(std::span(*codes).subspan(3 * first, 3 * columns), *table),
-                       rowShare, row);
-            } else {
-                addRow(LinearRow(colors, allValid), rowShare, row);
-            }
-        }
-    }
-    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        const Sum& s = sums[i];
-        if (s.weight <= 0) {
-            texels[i] = {kNaN, kNaN, kNaN};
-            continue;
-        }
-        std::array<double, 3> mean = {s.r / s.weight, s.g / s.weight, s.b / s.weight};
-        if (table != nullptr && table->matrix) mean = product(*table->matrix, mean);
-        texels[i] = light(mean);
-    }
+            addRow(LinearRow(colors, allValid), rowShare, row);
+        });
+    meansOf(sums, nullptr, texels);
     return leftOut;
+}
+
+void averageColors(std::span<const Rgb> colors, int imageWidth, int imageHeight, int width,
+                   int height, std::span<Rgb> texels) {
+    checkTexels(imageWidth, imageHeight, width, height);
+    const auto columns = static_cast<std::size_t>(imageWidth);
+    const auto addColors = [&](int y, double rowShare, std::span<Sum> row) {
+        const auto pixels = colors.subspan(static_cast<std::size_t>(y) * columns, columns);
+        addRow(LinearRow(pixels, areFinite(pixels)), rowShare, row);
+    };
+    meansOf(sumTexels(imageHeight, width, height, addColors), nullptr, texels);
 }
 
 }  // namespace abrdf

@@ -47,4 +47,8 @@ class Linearizer {
 std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer, int width,
                          int height, std::span<Rgb> texels);
 
+/// The same of an image that is linear already: imageWidth * imageHeight colours.
+void averageColors(std::span<const Rgb> colors, int imageWidth, int imageHeight, int width,
+                   int height, std::span<Rgb> texels);
+
 }  // namespace abrdf

@@ -39,8 +39,17 @@ constexpr LabelStyle kNote{14, Weight::kRegular, {170, 170, 170}};
 
 constexpr std::array kHeadings{"Full measurement", "Reconstruction", "Delta E (CIE 1976)"};
 
+int imageScale(const ContactSheet& sheet) {
+    return std::max(1, kPanel / std::max({1, sheet.imageWidth, sheet.imageHeight}));
+}
+
+bool hasImages(const ContactSheet& sheet) {
+    return !sheet.rows.empty() && !sheet.rows.front().images.empty();
+}
+
 int columnWidth(const ContactSheet& sheet) {
-    return std::max(kNarrowest, panelScale(sheet) * static_cast<int>(sheet.views));
+    const int images = hasImages(sheet) ? imageScale(sheet) * sheet.imageWidth : 0;
+    return std::max({kNarrowest, panelScale(sheet) * static_cast<int>(sheet.views), images});
 }
 
 int columnX(const ContactSheet& sheet, int column) {
@@ -48,7 +57,11 @@ int columnX(const ContactSheet& sheet, int column) {
 }
 
 int rowY(const ContactSheet& sheet, std::size_t row) {
-    const int height = panelScale(sheet) * static_cast<int>(sheet.lights) + kCaptionHeight;
+    int height = panelScale(sheet) * static_cast<int>(sheet.lights) + kCaptionHeight;
+    if (hasImages(sheet)) {
+        height += static_cast<int>(sheet.rows.front().images.size()) *
+                  (imageScale(sheet) * sheet.imageHeight + kCaptionHeight);
+    }
     return kMargin + kTitleHeight + kHeadingHeight + static_cast<int>(row) * height;
 }
 
@@ -85,30 +98,43 @@ std::vector<Srgb8> heatColors(const std::vector<float>& deltaE) {
     return shown;
 }
 
-void drawPanel(Canvas& canvas, const ContactSheet& sheet, std::size_t row, Panel panel,
-               const std::vector<Srgb8>& colors) {
-    const Rectangle area = panelRectangle(sheet, row, panel);
-    const int scale = panelScale(sheet);
+/// Colours row by row, `width` a row, each a square of `area`.
+void drawPanel(Canvas& canvas, const Rectangle& area, int width, const std::vector<Srgb8>& colors) {
+    const int scale = area.width / width;
     canvas.fill({area.x - 1, area.y - 1, area.width + 2, area.height + 2}, kFrame);
-    for (std::size_t pair = 0; pair < colors.size(); ++pair) {
-        const int light = static_cast<int>(pair / sheet.views);
-        const int view = static_cast<int>(pair % sheet.views);
-        canvas.fill({area.x + view * scale, area.y + light * scale, scale, scale}, colors[pair]);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const int y = static_cast<int>(i) / width;
+        const int x = static_cast<int>(i) % width;
+        canvas.fill({area.x + x * scale, area.y + y * scale, scale, scale}, colors[i]);
     }
+}
+
+/// rectangle(panel): where the three pictures stand.
+template <typename RectangleOf>
+void drawPanels(Canvas& canvas, double exposure, int width, const std::vector<Rgb>& measurement,
+                const std::vector<Rgb>& reconstruction, const RectangleOf& rectangle) {
+    drawPanel(canvas, rectangle(Panel::kMeasurement), width, displayColors(measurement, exposure));
+    drawPanel(canvas, rectangle(Panel::kReconstruction), width,
+              displayColors(reconstruction, exposure));
+    drawPanel(canvas, rectangle(Panel::kDeltaE), width,
+              heatColors(deltaEMap(measurement, reconstruction, exposure)));
 }
 
 void drawRow(Canvas& canvas, const ContactSheet& sheet, std::size_t row) {
     const SheetRow& method = sheet.rows[row];
-    drawPanel(canvas, sheet, row, Panel::kMeasurement,
-              displayColors(sheet.measurement, sheet.exposure));
-    drawPanel(canvas, sheet, row, Panel::kReconstruction,
-              displayColors(method.reconstruction, sheet.exposure));
-    drawPanel(canvas, sheet, row, Panel::kDeltaE,
-              heatColors(deltaEMap(sheet.measurement, method.reconstruction, sheet.exposure)));
-
+    drawPanels(canvas, sheet.exposure, static_cast<int>(sheet.views), sheet.measurement,
+               method.reconstruction,
+               [&](Panel panel) { return panelRectangle(sheet, row, panel); });
     const int baseline = panelRectangle(sheet, row, Panel::kMeasurement).bottom() + 24;
     drawLabel(canvas, kMargin, baseline, method.title, kRowTitle);
     drawLabel(canvas, canvas.width() - kMargin, baseline, method.caption, kCaption, Align::kRight);
+    for (std::size_t i = 0; i < method.images.size(); ++i) {
+        const auto rectangle = [&](Panel panel) { return imageRectangle(sheet, row, i, panel); };
+        drawPanels(canvas, sheet.exposure, sheet.imageWidth, method.images[i].measurement,
+                   method.images[i].reconstruction, rectangle);
+        drawLabel(canvas, kMargin, rectangle(Panel::kMeasurement).bottom() + 24,
+                  method.images[i].title, kCaption);
+    }
 }
 
 void drawLegend(Canvas& canvas, const ContactSheet& sheet, int y) {
@@ -144,7 +170,19 @@ void checkSheet(const ContactSheet& sheet) {
                         table.size(), sheet.lights, sheet.views));
     };
     check(sheet.measurement, "the measurement");
-    for (const SheetRow& row : sheet.rows) check(row.reconstruction, "'" + row.title + "'");
+    for (const SheetRow& row : sheet.rows) {
+        check(row.reconstruction, "'" + row.title + "'");
+        const auto texels = static_cast<std::size_t>(sheet.imageWidth * sheet.imageHeight);
+        const bool isSound =
+            row.images.size() == sheet.rows.front().images.size() &&
+            std::ranges::all_of(row.images, [&](const SheetImage& image) {
+                return image.measurement.size() == texels && image.reconstruction.size() == texels;
+            });
+        if (isSound) continue;
+        throw std::invalid_argument(
+            fmt::format("contact sheet: the images of '{}' are not {} of {} x {} texels", row.title,
+                        sheet.rows.front().images.size(), sheet.imageWidth, sheet.imageHeight));
+    }
     if (sheet.rows.empty()) {
         throw std::invalid_argument("contact sheet: there is no reconstruction to show");
     }
@@ -174,6 +212,16 @@ Rectangle panelRectangle(const ContactSheet& sheet, std::size_t row, Panel panel
     const int scale = panelScale(sheet);
     return {columnX(sheet, static_cast<int>(panel)), rowY(sheet, row),
             scale * static_cast<int>(sheet.views), scale * static_cast<int>(sheet.lights)};
+}
+
+Rectangle imageRectangle(const ContactSheet& sheet, std::size_t row, std::size_t image,
+                         Panel panel) {
+    const int scale = imageScale(sheet);
+    const int height = scale * sheet.imageHeight;
+    return {columnX(sheet, static_cast<int>(panel)),
+            panelRectangle(sheet, row, panel).bottom() + kCaptionHeight +
+                static_cast<int>(image) * (height + kCaptionHeight),
+            scale * sheet.imageWidth, height};
 }
 
 void writeContactSheet(const std::filesystem::path& path, const ContactSheet& sheet) {

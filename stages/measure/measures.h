@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/abrdf_tile.h"
 #include "color/rgb.h"
 
 #include <cstddef>
@@ -36,6 +37,22 @@ struct MeasureOptions {
 /// Both colours are scene-linear Rec.709, one a pair; the caller converts.
 Accuracy measureAccuracy(std::span<const Rgb> truth, std::span<const Rgb> reconstruction,
                          std::span<const std::uint8_t> mask, const MeasureOptions& options);
+
+/// How well single texels of a map come back, at natural exposure.
+struct TexelMeasures {
+    Accuracy accuracy;    ///< Over all texels and their pairs.
+    double deltaE = 0;    ///< Mean over the texels of their mean CIE 1976 colour difference.
+    double deltaE95 = 0;  ///< 95 % of the texels have no larger one.
+    double psnr = 0;      ///< Mean over the texels of their PSNR, in dB.
+    double psnr95 = 0;    ///< 95 % of the texels have no lower one.
+};
+
+/// The same of many texels, one after the other; a result for each mask, all in one pass. masks: a
+/// flag a pair, for every texel. Quantile and median of the full measurement are taken from every
+/// n-th texel where there are more than 16 million values.
+std::vector<TexelMeasures> measureTexels(const AbrdfTile& truth, const AbrdfTile& reconstruction,
+                                         std::span<const std::vector<std::uint8_t>> masks,
+                                         const MeasureOptions& options);
 
 /// CIE 1976 colour difference of each pair at one exposure; scene-linear Rec.709.
 std::vector<float> deltaEMap(std::span<const Rgb> truth, std::span<const Rgb> reconstruction,

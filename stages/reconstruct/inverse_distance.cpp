@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// `idw`: the four nearest samples, weighted by inverse squared distance over the unit vectors of
-// both directions [Shepard 1968]: what renderers of BTFs do.
+// `idw`: the four nearest samples (and those as near as the fourth), weighted by inverse squared
+// distance over the unit vectors of both directions [Shepard 1968]: what renderers of BTFs do.
 #include "stages/reconstruct/weighted_samples.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // `prior`: the conditional mean of log luminance under what random materials show, chroma by
-// kriging (design: estimator.md, 2). Class, kernel and chroma features are chosen once a material,
-// from its mean; a texel then costs a few products with fixed matrices.
+// kriging (design: estimator.md, 2). Class and kernel are chosen once a material, by some of its
+// texels; a texel then costs a few products with fixed matrices.
 #include "abrdf/pair_features.h"
 #include "stages/reconstruct/prior_material.h"
 #include "stages/reconstruct/reconstructor.h"
@@ -19,7 +19,7 @@ class Prior : public Reconstructor {
         : model_(task.prior),
           options_(task.options),
           rowOf_(distinctPairs(pairsOf(task.output)).rowOf),
-          material_(*task.prior, rowOf_, task.mean, options_) {}
+          material_(*task.prior, rowOf_, task.mean, options_, task.someTexels) {}
 
     void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const override {
         if (options_.perTexel) {

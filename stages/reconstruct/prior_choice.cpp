@@ -30,41 +30,75 @@ Eigen::VectorXd valuesFromLogs(const Eigen::VectorXd& logs, double scale) {
     return (logs.array().exp() - kPriorFloor).max(0.0) * scale;
 }
 
-double meanLightnessDifference(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
-                               double exposure) {
-    double sum = 0;
-    for (Eigen::Index i = 0; i < a.size(); ++i) {
-        sum += std::abs(lightness(a(i) * exposure) - lightness(b(i) * exposure));
+/// The texels that a choice is made by, a column each; black ones are left out.
+struct ChoiceTexels {
+    Eigen::MatrixXd z;          ///< As LogSamples.
+    Eigen::VectorXd shown;      ///< Scale of each times the exposure.
+    Eigen::MatrixXd lightness;  ///< L* of each sample.
+};
+
+ChoiceTexels choiceTexels(const PriorModel& model, const Eigen::MatrixXd& luminance) {
+    const double exposure = choiceExposure(luminance.reshaped());
+    ChoiceTexels texels;
+    texels.z.resize(luminance.rows(), luminance.cols());
+    texels.shown.resize(luminance.cols());
+    texels.lightness.resize(luminance.rows(), luminance.cols());
+    Eigen::Index count = 0;
+    for (const auto& column : luminance.colwise()) {
+        const LogSamples logs = logSamples(model, column);
+        if (logs.scale <= 0) continue;
+        texels.z.col(count) = logs.z;
+        texels.shown(count) = logs.scale * exposure;
+        texels.lightness.col(count) = (column * exposure).unaryExpr(&lightness);
+        ++count;
     }
-    return sum / static_cast<double>(a.size());
+    texels.z.conservativeResize(Eigen::NoChange, count);
+    texels.lightness.conservativeResize(Eigen::NoChange, count);
+    return texels;
 }
 
-/// How a term sees the samples.
+/// Mean difference in L* of samples whose logarithms are off by `residual`.
+double meanLightnessDifference(const ChoiceTexels& texels, const Eigen::MatrixXd& residual) {
+    double sum = 0;
+    for (Eigen::Index t = 0; t < residual.cols(); ++t) {
+        for (Eigen::Index i = 0; i < residual.rows(); ++i) {
+            const double value =
+                std::max(std::exp(texels.z(i, t) - residual(i, t)) - kPriorFloor, 0.0);
+            sum += std::abs(lightness(value * texels.shown(t)) - texels.lightness(i, t));
+        }
+    }
+    return sum / static_cast<double>(residual.size());
+}
+
+/// How a term sees the samples of some texels.
 struct Fit {
     /// How far each sample is from its prediction by the others, in logarithms: a_i / A_ii with
-    /// a = A (z - mean).
-    Eigen::VectorXd residual;
-    double logLikelihood = 0;  ///< But for a constant.
+    /// a = A (z - mean). A column a texel.
+    Eigen::MatrixXd residual;
+    double logLikelihood = 0;  ///< Mean over the texels, but for a constant.
 };
 
 /// The one number of a Lambertian, without a sample, is the mean of the others.
-Fit lambertFit(const PriorModel& model, const Eigen::VectorXd& z) {
-    const Eigen::VectorXd level = z - lambertLogs(model.samples);
-    const auto n = static_cast<double>(level.size());
-    return {(level.array() - level.mean()) * (n / std::max(n - 1, 1.0)), -kNever};
+Fit lambertFit(const PriorModel& model, const Eigen::MatrixXd& z) {
+    const Eigen::MatrixXd level = z.colwise() - lambertLogs(model.samples);
+    const auto n = static_cast<double>(level.rows());
+    const Eigen::RowVectorXd mean = level.colwise().mean();
+    return {(level.rowwise() - mean) * (n / std::max(n - 1, 1.0)), -kNever};
 }
 
-Fit fitOf(const PriorModel& model, const PriorTerm& term, const Eigen::VectorXd& z) {
+Fit fitOf(const PriorModel& model, const PriorTerm& term, const Eigen::MatrixXd& z) {
     if (term.isLambert) return lambertFit(model, z);
     const PriorClass& priorClass = model.classes[term.classIndex];
     const PriorSpectrum& spectrum = priorClass.spectra[term.spectrum];
     const Eigen::ArrayXd inverse = 1 / (spectrum.eigenvalues.array() + term.nu);
-    const Eigen::ArrayXd along = spectrum.eigenvectors.transpose() * (z - priorClass.sampleMean);
-    const Eigen::VectorXd a = spectrum.eigenvectors * (inverse * along).matrix();
+    const Eigen::MatrixXd along =
+        spectrum.eigenvectors.transpose() * (z.colwise() - priorClass.sampleMean);
+    const Eigen::MatrixXd weighted = inverse.matrix().asDiagonal() * along;
     const Eigen::VectorXd diagonal =
         spectrum.eigenvectors.array().square().matrix() * inverse.matrix();
-    return {a.cwiseQuotient(diagonal),
-            0.5 * (inverse.log().sum() - (along.square() * inverse).sum())};
+    return {diagonal.cwiseInverse().asDiagonal() * (spectrum.eigenvectors * weighted),
+            0.5 * (inverse.log().sum() -
+                   along.cwiseProduct(weighted).sum() / static_cast<double>(z.cols()))};
 }
 
 bool lieOnSlices(const std::vector<LightAndView>& samples) {
@@ -78,18 +112,15 @@ bool lieOnSlices(const std::vector<LightAndView>& samples) {
 
 /// Shares of the fits in the mixture that grows by the member with which the residuals, averaged,
 /// are least in lightness.
-std::vector<double> grownShares(const std::vector<Fit>& fits, const LogSamples& logs,
-                                const Eigen::VectorXd& luminance, double exposure) {
+std::vector<double> grownShares(const std::vector<Fit>& fits, const ChoiceTexels& texels) {
     std::vector<double> shares(fits.size());
     std::vector<double> errors(fits.size());
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(logs.z.size());
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(texels.z.rows(), texels.z.cols());
     for (std::size_t member = 1; member <= kMembers; ++member) {
         forEachTexelBlock(fits.size(), 3, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const Eigen::VectorXd residual =
-                    (sum + fits[i].residual) / static_cast<double>(member);
-                errors[i] = meanLightnessDifference(valuesFromLogs(logs.z - residual, logs.scale),
-                                                    luminance, exposure);
+                errors[i] = meanLightnessDifference(
+                    texels, (sum + fits[i].residual) / static_cast<double>(member));
             }
         });
         const auto best =
@@ -163,7 +194,7 @@ Eigen::MatrixXd precisionOf(const PriorModel& model, const PriorTerm& term) {
     return spectrum.eigenvectors * inverse.asDiagonal() * spectrum.eigenvectors.transpose();
 }
 
-std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::VectorXd& luminance,
+std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::MatrixXd& luminance,
                                    double noise) {
     std::vector<PriorTerm> terms;
     for (std::size_t c = 0; c < model.classes.size(); ++c) {
@@ -174,13 +205,13 @@ std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::VectorX
         }
     }
     terms.push_back({true, 0, 0, 0, 0});
-    const LogSamples logs = logSamples(model, luminance);
-    if (logs.scale <= 0) return weighted({terms.back()}, {1});
+    const ChoiceTexels texels = choiceTexels(model, luminance);
+    if (texels.z.cols() == 0) return weighted({terms.back()}, {1});
     std::vector<Fit> fits(terms.size());
     forEachTexelBlock(terms.size(), kNus.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) fits[i] = fitOf(model, terms[i], logs.z);
+        for (std::size_t i = begin; i < end; ++i) fits[i] = fitOf(model, terms[i], texels.z);
     });
-    std::vector<double> shares = grownShares(fits, logs, luminance, choiceExposure(luminance));
+    std::vector<double> shares = grownShares(fits, texels);
     // A material that obeys Lambert at every sample is one: its law is the last term.
     const bool isLambertian = shares.back() > 1 - 1e-9;
     if (lieOnSlices(model.samples) && !isLambertian) addLikelihood(fits, shares);

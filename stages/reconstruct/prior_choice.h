@@ -33,11 +33,12 @@ Eigen::VectorXd lambertLogs(const std::vector<LightAndView>& pairs);
 /// so that a choice does not depend on the unit of the samples. 1 for a black one.
 double choiceExposure(const Eigen::VectorXd& luminance);
 
-/// The mixture for a material, from its samples' luminance, the larger weights first: members are
-/// added one by one, each time the one with which the samples predict one another best. Where the
-/// samples lie on slices, and so predict one another too well, a quarter goes by likelihood.
-/// noise: relative deviation of the samples' noise; its square adds to nu.
-std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::VectorXd& luminance,
+/// The mixture for a material, from the luminance of its samples, a column a texel (or its mean),
+/// the larger weights first: members are added one by one, each time the one with which the samples
+/// predict one another best. Where the samples lie on slices, and so predict one another too well,
+/// a quarter goes by likelihood. noise: relative deviation of the samples' noise; its square adds
+/// to nu.
+std::vector<PriorTerm> chooseTerms(const PriorModel& model, const Eigen::MatrixXd& luminance,
                                    double noise);
 
 /// What the mixture predicts for each sample of a channel from the others: closed form.

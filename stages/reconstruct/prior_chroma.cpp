@@ -86,16 +86,13 @@ double meanDeltaE(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b, double e
 }
 
 ChromaKriging::ChromaKriging(const std::vector<LightAndView>& pairs, const Eigen::MatrixX3d& colors,
-                             double exposure)
+                             const std::vector<Eigen::MatrixX3d>& texels, double exposure)
     : pairs_(pairs) {
     const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
     medianLuminance_ = std::max(median(luminance), std::numeric_limits<double>::min());
     features_ = features(pairs, luminance);
     const Eigen::Index n = features_.rows();
     const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
-    const Eigen::MatrixX3d chroma = chromaOf(colors);
-    const Eigen::RowVector3d mean = chroma.colwise().mean();
-    const Eigen::MatrixX3d centered = chroma.rowwise() - mean;
     const Eigen::MatrixXd distances = squaredDistances(features_, features_);
     const Eigen::MatrixXd vectors = vectorKernel(pairs, pairs);
 
@@ -112,13 +109,24 @@ ChromaKriging::ChromaKriging(const std::vector<LightAndView>& pairs, const Eigen
                 (1 + member.vectorShare) +
             member.noise * identity;
         member.inverse = covariance.llt().solve(identity);
-        const Eigen::MatrixX3d a = member.inverse * centered;
-        member.leaveOneOut = normalizedChroma(
-            chroma - Eigen::MatrixX3d(a.array().colwise() / member.inverse.diagonal().array()));
-        member.error =
-            meanDeltaE(member.leaveOneOut.array().colwise() * luminance.array(), colors, exposure);
+        predict(member, texels, exposure);
     });
     mix(std::move(members));
+}
+
+void ChromaKriging::predict(Member& member, const std::vector<Eigen::MatrixX3d>& texels,
+                            double exposure) const {
+    for (const Eigen::MatrixX3d& colors : texels) {
+        const Eigen::MatrixX3d chroma = chromaOf(colors);
+        const Eigen::RowVector3d mean = chroma.colwise().mean();
+        const Eigen::MatrixX3d a = member.inverse * (chroma.rowwise() - mean);
+        member.leaveOneOut.push_back(normalizedChroma(
+            chroma - Eigen::MatrixX3d(a.array().colwise() / member.inverse.diagonal().array())));
+        const Eigen::ArrayXd luminance = colors.rowwise().sum() / 3;
+        member.error +=
+            meanDeltaE(member.leaveOneOut.back().array().colwise() * luminance, colors, exposure) /
+            static_cast<double>(texels.size());
+    }
 }
 
 void ChromaKriging::mix(std::vector<Member> members) {
@@ -134,7 +142,7 @@ void ChromaKriging::mix(std::vector<Member> members) {
 
     const Eigen::Index n = features_.rows();
     ofShape_.assign(kShapes, {});
-    leaveOneOut_ = Eigen::MatrixX3d::Zero(n, 3);
+    leaveOneOut_.assign(members.front().leaveOneOut.size(), Eigen::MatrixX3d::Zero(n, 3));
     Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
     const auto add = [&](Eigen::MatrixXd& target, double factor, const Eigen::MatrixXd& matrix) {
         if (target.size() == 0) target = Eigen::MatrixXd::Zero(n, n);
@@ -144,7 +152,9 @@ void ChromaKriging::mix(std::vector<Member> members) {
         const double share = weight(member) / sum / (1 + member.vectorShare);
         add(ofShape_[member.shape], share, member.inverse);
         if (member.vectorShare > 0) add(ofVectors_, share * member.vectorShare, member.inverse);
-        leaveOneOut_ += weight(member) / sum * member.leaveOneOut;
+        for (std::size_t t = 0; t < leaveOneOut_.size(); ++t) {
+            leaveOneOut_[t] += weight(member) / sum * member.leaveOneOut[t];
+        }
         inverse += weight(member) / sum * member.inverse;
     }
     covariance_ = inverse.llt().solve(Eigen::MatrixXd::Identity(n, n));

@@ -23,17 +23,18 @@ double meanDeltaE(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b, double e
 /// weighted by how well the samples predict one another's colour (design: estimator.md, 2.6).
 class ChromaKriging {
   public:
-    /// pairs, colors: the samples, a row each.
+    /// pairs, colors: the samples of the material's mean, a row each; texels: samples of those by
+    /// which the kernels are chosen, at least one.
     ChromaKriging(const std::vector<LightAndView>& pairs, const Eigen::MatrixX3d& colors,
-                  double exposure);
+                  const std::vector<Eigen::MatrixX3d>& texels, double exposure);
 
     /// The matrix by which (chroma - its mean) at the samples makes (chroma - mean) at the outputs
     /// of this luminance; a row an output.
     Eigen::MatrixXf outputMatrix(const std::vector<LightAndView>& outputs,
                                  const Eigen::VectorXd& outputLuminance) const;
 
-    /// Each sample's chroma, predicted from the others.
-    const Eigen::MatrixX3d& leaveOneOut() const { return leaveOneOut_; }
+    /// The chroma of each texel's samples, predicted from the others.
+    const std::vector<Eigen::MatrixX3d>& leaveOneOut() const { return leaveOneOut_; }
 
     /// The mixture's covariance of the samples, noise included.
     const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -48,11 +49,13 @@ class ChromaKriging {
         Shape shape = kExponential;
         double vectorShare = 0;  ///< Weight of the kernel over unit vectors beside it.
         double noise = 0;
-        Eigen::MatrixXd inverse;  ///< Of the samples' covariance.
-        Eigen::MatrixX3d leaveOneOut;
+        Eigen::MatrixXd inverse;                    ///< Of the samples' covariance.
+        std::vector<Eigen::MatrixX3d> leaveOneOut;  ///< One a texel.
         double error = 0;
     };
 
+    void predict(Member& member, const std::vector<Eigen::MatrixX3d>& texels,
+                 double exposure) const;
     static Eigen::MatrixXd kernel(Shape shape, const Eigen::MatrixXd& squaredDistances);
     Eigen::MatrixXd features(const std::vector<LightAndView>& pairs,
                              const Eigen::VectorXd& luminance) const;
@@ -64,7 +67,7 @@ class ChromaKriging {
     std::vector<Eigen::MatrixXd> ofShape_;  ///< What each shape's kernel is multiplied with.
     Eigen::MatrixXd ofVectors_;             ///< The same of unit vectors; empty where unused.
     Eigen::MatrixXd covariance_;
-    Eigen::MatrixX3d leaveOneOut_;
+    std::vector<Eigen::MatrixX3d> leaveOneOut_;
 };
 
 }  // namespace abrdf

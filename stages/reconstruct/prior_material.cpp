@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/reconstruct/prior_material.h"
 
+#include "abrdf/for_each_texel.h"
 #include "abrdf/pair_features.h"
 #include "abrdf/portable_math.h"
 #include "color/delta_e.h"
@@ -26,6 +27,15 @@ Eigen::MatrixX3d matrixOf(std::span<const Rgb> colors) {
     return matrix;
 }
 
+/// A column a texel.
+Eigen::MatrixXd luminancesOf(const std::vector<Eigen::MatrixX3d>& texels) {
+    Eigen::MatrixXd luminances(texels.front().rows(), static_cast<Eigen::Index>(texels.size()));
+    for (std::size_t t = 0; t < texels.size(); ++t) {
+        luminances.col(static_cast<Eigen::Index>(t)) = texels[t].rowwise().sum() / 3;
+    }
+    return luminances;
+}
+
 /// Samples of channel c with the floor that keeps zeros from being outliers of logarithms.
 Eigen::VectorXd channelSamples(const Eigen::MatrixX3d& colors, Eigen::Index c) {
     return colors.col(c).cwiseMax(kLeastChannel / 3 * colors.rowwise().sum());
@@ -49,20 +59,17 @@ Eigen::MatrixXd covarianceOf(const PriorModel& model, const std::vector<PriorTer
 }  // namespace
 
 PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_t> rowOf,
-                             std::span<const Rgb> mean, const ReconstructOptions& options)
+                             std::span<const Rgb> mean, const ReconstructOptions& options,
+                             std::span<const Rgb> texels)
     : scaleFactor_(model.scaleFactor),
       sampleCount_(model.samples.size()),
       cap_(static_cast<float>(std::log(3 / model.scaleFactor) + 0.7)),
       rowOf_(rowOf.begin(), rowOf.end()) {
     Eigen::MatrixX3d colors = matrixOf(mean);
-    terms_ = chooseTerms(model, colors.rowwise().sum() / 3, options.noise);
-    if (options.saturated > 0) {
-        colors = CensoredSamples(model, terms_, options.saturated).restored(colors);
-        terms_ = chooseTerms(model, colors.rowwise().sum() / 3, options.noise);
-        censored_.emplace(model, terms_, options.saturated);
-    }
+    const std::vector<Eigen::MatrixX3d> chosenBy = chooseModels(model, colors, texels, options);
     const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
-    const ChromaKriging kriging(model.samples, colors, choiceExposure(luminance));
+    const double shown = choiceExposure(luminancesOf(chosenBy).reshaped());
+    const ChromaKriging kriging(model.samples, colors, chosenBy, shown);
     const PairGroups isotropic = isotropicPairs(model.outputs);
     const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
     const std::vector<LightAndView>& outputs = fewRows ? isotropic.distinct : model.outputs;
@@ -73,7 +80,7 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
     const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
     luminance_ = LowRankMatrix(map.matrix, covarianceOf(model, terms_), options.rank);
     centerLogs(map, colors);
-    chooseBlend(model, colors, options.exposure, kriging.leaveOneOut());
+    chooseBlend(model, chosenBy, options.exposure, kriging.leaveOneOut());
     // The material's own luminance at the outputs is a feature of its chroma.
     const std::vector<float>& x = logCenters_[0].output;
     Eigen::VectorXd atOutputs(static_cast<Eigen::Index>(x.size()));
@@ -91,6 +98,27 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
         const Eigen::VectorXf own = chroma.col(static_cast<Eigen::Index>(c)).cast<float>();
         chromaCenters_[c] = centered(matrix, own.array() - own.mean());
     }
+}
+
+/// Terms, and what restores clipped samples: of `colors` too, and of the texels that are returned.
+std::vector<Eigen::MatrixX3d> PriorMaterial::chooseModels(const PriorModel& model,
+                                                          Eigen::MatrixX3d& colors,
+                                                          std::span<const Rgb> texels,
+                                                          const ReconstructOptions& options) {
+    std::vector<Eigen::MatrixX3d> chosenBy;
+    for (std::size_t first = 0; first < texels.size(); first += sampleCount_) {
+        chosenBy.push_back(matrixOf(texels.subspan(first, sampleCount_)));
+    }
+    if (chosenBy.empty()) chosenBy = {colors};
+    terms_ = chooseTerms(model, luminancesOf(chosenBy), options.noise);
+    if (options.saturated > 0) {
+        const CensoredSamples censored(model, terms_, options.saturated);
+        colors = censored.restored(colors);
+        for (Eigen::MatrixX3d& texel : chosenBy) texel = censored.restored(texel);
+        terms_ = chooseTerms(model, luminancesOf(chosenBy), options.noise);
+        censored_.emplace(model, terms_, options.saturated);
+    }
+    return chosenBy;
 }
 
 void PriorMaterial::centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors) {
@@ -120,30 +148,44 @@ PriorMaterial::Center PriorMaterial::centered(const Eigen::MatrixXf& matrix,
 
 /// Chroma by kriging and chroma of channels that are estimated like luminance: the blend by which
 /// the samples predict one another best.
-void PriorMaterial::chooseBlend(const PriorModel& model, const Eigen::MatrixX3d& colors,
-                                double exposure, const Eigen::MatrixX3d& kriged) {
-    const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
-    const double shown = choiceExposure(luminance);
-    Eigen::MatrixX3d ofChannels(colors.rows(), 3);
-    for (Eigen::Index c = 0; c < 3; ++c) {
-        ofChannels.col(c) =
-            leaveOneOut(model, terms_, channelSamples(colors, c)).cwiseMax(1e-9 / shown);
-    }
-    ofChannels = normalizedChroma(ofChannels);
+void PriorMaterial::chooseBlend(const PriorModel& model,
+                                const std::vector<Eigen::MatrixX3d>& texels, double exposure,
+                                const std::vector<Eigen::MatrixX3d>& kriged) {
+    const double shown = choiceExposure(luminancesOf(texels).reshaped());
+    std::vector<Eigen::MatrixX3d> ofChannels(texels.size());
+    std::vector<Eigen::VectorXd> predicted(texels.size());
+    forEachImage(texels.size(), [&](std::size_t t) {
+        ofChannels[t].resize(texels[t].rows(), 3);
+        for (Eigen::Index c = 0; c < 3; ++c) {
+            ofChannels[t].col(c) =
+                leaveOneOut(model, terms_, channelSamples(texels[t], c)).cwiseMax(1e-9 / shown);
+        }
+        ofChannels[t] = normalizedChroma(ofChannels[t]);
+        predicted[t] = leaveOneOut(model, terms_, texels[t].rowwise().sum() / 3);
+    });
+    const auto chroma = [&](std::size_t t, double share) {
+        return Eigen::MatrixX3d((1 - share) * kriged[t] + share * ofChannels[t]);
+    };
     double best = -1;
     for (const float blend : kBlends) {
-        const auto share = static_cast<double>(blend);
-        const Eigen::MatrixX3d chroma = (1 - share) * kriged + share * ofChannels;
-        const double error =
-            meanDeltaE(chroma.array().colwise() * luminance.array(), colors, shown);
+        double error = 0;
+        for (std::size_t t = 0; t < texels.size(); ++t) {
+            const Eigen::ArrayXd luminance = texels[t].rowwise().sum() / 3;
+            error += meanDeltaE(chroma(t, static_cast<double>(blend)).array().colwise() * luminance,
+                                texels[t], shown);
+        }
+        error /= static_cast<double>(texels.size());
         if (best >= 0 && error >= best - 1e-9) continue;
         best = error;
         blend_ = blend;
     }
-    const Eigen::MatrixX3d chroma =
-        (1 - static_cast<double>(blend_)) * kriged + static_cast<double>(blend_) * ofChannels;
-    const Eigen::VectorXd predicted = leaveOneOut(model, terms_, luminance);
-    leaveOneOutError_ = meanDeltaE(chroma.array().colwise() * predicted.array(), colors, exposure);
+    leaveOneOutError_ = 0;
+    for (std::size_t t = 0; t < texels.size(); ++t) {
+        leaveOneOutError_ += meanDeltaE(chroma(t, static_cast<double>(blend_)).array().colwise() *
+                                            predicted[t].array(),
+                                        texels[t], exposure) /
+                             static_cast<double>(texels.size());
+    }
 }
 
 void PriorMaterial::addTexel(std::span<const Rgb> samples, Inputs& inputs) const {

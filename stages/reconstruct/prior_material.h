@@ -20,9 +20,11 @@ namespace abrdf {
 class PriorMaterial {
   public:
     /// mean: the material's average samples, in the model's order; rowOf: of each output, its place
-    /// among the model's, which are distinct.
+    /// among the model's, which are distinct; texels: samples of some texels, one after the other,
+    /// by which the models are chosen in place of the mean, which is smoother than they are.
     PriorMaterial(const PriorModel& model, std::span<const std::size_t> rowOf,
-                  std::span<const Rgb> mean, const ReconstructOptions& options);
+                  std::span<const Rgb> mean, const ReconstructOptions& options,
+                  std::span<const Rgb> texels = {});
 
     /// As Reconstructor::reconstruct(), for any number of texels.
     void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const;
@@ -34,7 +36,8 @@ class PriorMaterial {
 
     const std::vector<PriorTerm>& terms() const { return terms_; }
 
-    /// Mean CIE 1976 Delta E of the samples against their predictions from one another.
+    /// Mean CIE 1976 Delta E of the samples against their predictions from one another, over the
+    /// texels of the choice.
     double leaveOneOutError() const { return leaveOneOutError_; }
 
   private:
@@ -58,8 +61,11 @@ class PriorMaterial {
         std::vector<float> output;  ///< A number a row.
     };
 
-    void chooseBlend(const PriorModel& model, const Eigen::MatrixX3d& colors, double exposure,
-                     const Eigen::MatrixX3d& kriged);
+    std::vector<Eigen::MatrixX3d> chooseModels(const PriorModel& model, Eigen::MatrixX3d& colors,
+                                               std::span<const Rgb> texels,
+                                               const ReconstructOptions& options);
+    void chooseBlend(const PriorModel& model, const std::vector<Eigen::MatrixX3d>& texels,
+                     double exposure, const std::vector<Eigen::MatrixX3d>& kriged);
     static Center centered(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& input);
     void centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors);
     void addTexel(std::span<const Rgb> samples, Inputs& inputs) const;

@@ -128,6 +128,8 @@ class Published : public Reconstructor {
         return static_cast<double>(kSubspaces * plan_.samplesPerSubspace() * sizeof(Rgb));
     }
 
+    double condition() const override { return condition_; }
+
   private:
     struct Slices {
         std::span<const Rgb> axial;
@@ -167,6 +169,7 @@ class Published : public Reconstructor {
             nodes.row(static_cast<Eigen::Index>(s)) << plan_.thetaLight(s), plan_.thetaView(s);
         }
         const RbfWeights rbf(nodes);
+        condition_ = rbf.condition();
         std::map<std::pair<Radians, Radians>, std::size_t> groupOf;
         for (std::size_t pair = 0; pair < grid.pairCount(); ++pair) {
             const LightAndView target = grid.pair(pair);
@@ -213,6 +216,7 @@ class Published : public Reconstructor {
     }
 
     SlicePlan plan_;
+    double condition_ = 1;
     std::vector<TorusPlace> knots_;
     std::vector<ElevationPair> groups_;
 };

@@ -18,8 +18,12 @@ namespace {
 /// On the diagonal: two samples at one place are averaged instead of being a contradiction.
 constexpr double kRidge = 1e-6;
 
-/// Row of an output: value = sum over samples of weight * B.
-Eigen::MatrixXd rbfWeights(const ReconstructionTask& task) {
+struct Weights {
+    Eigen::MatrixXd matrix;  ///< Row of an output: value = sum over samples of weight * B.
+    double condition = 1;
+};
+
+Weights rbfWeights(const ReconstructionTask& task) {
     //  [ Phi  1 ] [ lambda ]   [ values ]
     //  [ 1'   0 ] [   c    ] = [   0    ]
     const std::vector<LightAndView> outputs = pairsOf(task.output);
@@ -33,7 +37,8 @@ Eigen::MatrixXd rbfWeights(const ReconstructionTask& task) {
     Eigen::MatrixXd basis(static_cast<Eigen::Index>(outputs.size()), n + 1);
     basis.leftCols(n) = -squaredDistances(vectorFeatures(outputs), nodes).cwiseSqrt();
     basis.col(n).setOnes();
-    const Eigen::MatrixXd inverse = Eigen::PartialPivLU<Eigen::MatrixXd>(system).inverse();
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(system);
+    const Eigen::MatrixXd inverse = lu.inverse();
     Eigen::MatrixXd weights = product(basis, inverse.leftCols(n));
     for (Eigen::Index k = 0; k < n; ++k) {
         weights.col(k) /= boundedCosine(task.samples.directions[static_cast<std::size_t>(k)].light);
@@ -41,13 +46,13 @@ Eigen::MatrixXd rbfWeights(const ReconstructionTask& task) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         weights.row(static_cast<Eigen::Index>(i)) *= boundedCosine(outputs[i].light);
     }
-    return weights;
+    return {weights, 1 / lu.rcond()};
 }
 
 class RadialBasis : public Reconstructor {
   public:
-    explicit RadialBasis(const ReconstructionTask& task)
-        : weights_(rbfWeights(task).cast<float>().eval()) {}
+    explicit RadialBasis(const Weights& weights)
+        : weights_(weights.matrix.cast<float>().eval()), condition_(weights.condition) {}
 
     void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const override {
         const std::size_t n = weights_.columns();
@@ -89,14 +94,17 @@ class RadialBasis : public Reconstructor {
         return static_cast<double>(weights_.columns() * sizeof(Rgb));
     }
 
+    double condition() const override { return condition_; }
+
   private:
     PackedMatrix weights_;
+    double condition_;
 };
 
 }  // namespace
 
 std::unique_ptr<Reconstructor> makeRadialBasis(const ReconstructionTask& task) {
-    return std::make_unique<RadialBasis>(task);
+    return std::make_unique<RadialBasis>(rbfWeights(task));
 }
 
 }  // namespace abrdf

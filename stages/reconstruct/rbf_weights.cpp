@@ -22,6 +22,7 @@ RbfWeights::RbfWeights(const Eigen::MatrixX2d& nodes) : nodes_(nodes) {
             "interpolated; choose two different elevations");
     }
     inverse_ = lu.inverse();
+    condition_ = 1 / lu.rcond();
 }
 
 Eigen::RowVectorXd RbfWeights::basis(const Eigen::RowVector2d& place) const {

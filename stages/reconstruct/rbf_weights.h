@@ -17,11 +17,14 @@ class RbfWeights {
     /// One weight a node; they sum to 1, and reproduce values at nodes and linear functions.
     Eigen::VectorXd at(const Eigen::RowVector2d& place) const;
 
+    double condition() const { return condition_; }
+
   private:
     Eigen::RowVectorXd basis(const Eigen::RowVector2d& place) const;
 
     Eigen::MatrixX2d nodes_;
     Eigen::MatrixXd inverse_;
+    double condition_ = 1;
 };
 
 }  // namespace abrdf

@@ -30,6 +30,9 @@ struct ReconstructionTask {
     AngularGrid input;           ///< The database's grid.
     AngularGrid output;          ///< The atlas's grid.
     std::vector<Rgb> mean = {};  ///< Of the material's samples over all its texels.
+    /// Samples of texels spread over the material, one after the other, to choose models by; none
+    /// where the mean is all there is.
+    std::vector<Rgb> someTexels = {};
     std::shared_ptr<const PriorModel> prior = {};  ///< For methods that need it: of these samples.
     ReconstructOptions options = {};
 };
@@ -53,6 +56,10 @@ class Reconstructor {
 
     /// Bytes of what a texel's ABRDF is made from, in floats; what all texels share is not counted.
     virtual double modelBytes() const = 0;
+
+    /// Largest condition number (2-norm, or 1-norm's estimate) of the linear systems that were
+    /// solved for it; 1 where there are none.
+    virtual double condition() const { return 1; }
 };
 
 /// A reconstruction method: one file in this folder.
@@ -75,17 +82,29 @@ const Method& methodFromName(const std::string& name);
 struct UnrealCounts {
     std::uint64_t clamped = 0;    ///< Negative ones, set to 0.
     std::uint64_t nonfinite = 0;  ///< NaN and infinite ones, set to 0.
+    /// Those above kMostOfSamples times the texel's largest sample, dimmed to that: a highlight
+    /// that the samples only suggest is not made up at any height.
+    std::uint64_t dimmed = 0;
+
+    UnrealCounts& operator+=(const UnrealCounts& other) {
+        clamped += other.clamped;
+        nonfinite += other.nonfinite;
+        dimmed += other.dimmed;
+        return *this;
+    }
 };
 
-/// The stage for at most reconstructor.texelsAtOnce() texels, where it is called. No negative,
-/// infinite or NaN value leaves it.
-UnrealCounts reconstructBlock(std::span<const Rgb> samples, const Reconstructor& reconstructor,
-                              std::span<Rgb> abrdfs);
+inline constexpr float kMostOfSamples = 4;
+
+/// The stage for `texels` texels, at most reconstructor.texelsAtOnce(), where it is called. No
+/// negative, infinite or NaN value leaves it, and none above kMostOfSamples times the texel's
+/// largest sample.
+UnrealCounts reconstructBlock(std::span<const Rgb> samples, std::size_t texels,
+                              const Reconstructor& reconstructor, std::span<Rgb> abrdfs);
 
 struct ReconstructedTexels {
     AbrdfTile abrdfs;
-    std::uint64_t clamped = 0;    ///< Values that came out negative and were set to 0.
-    std::uint64_t nonfinite = 0;  ///< Values that came out NaN or infinite and were set to 0.
+    UnrealCounts unreal;
 };
 
 /// The stage for every texel of a tile, in parallel.

@@ -17,8 +17,11 @@ std::vector<std::pair<double, std::size_t>> nearestSamples(const std::vector<Lig
     for (std::size_t k = 0; k < samples.size(); ++k) {
         found.emplace_back(squaredDistance(samples[k], target), k);
     }
-    const std::size_t kept = std::min(count, found.size());
-    std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(kept));
+    std::ranges::sort(found);
+    constexpr double kEqual = 1e-9;
+    std::size_t kept = std::min(count, found.size());
+    const double last = found[kept - 1].first + kEqual;
+    while (kept < found.size() && found[kept].first <= last) ++kept;
     found.resize(kept);
     return found;
 }

@@ -17,7 +17,9 @@ struct SampleShare {
 /// cos(theta_i), kept away from 0, so that it can be divided by.
 double boundedCosine(const Direction& light);
 
-/// The `count` samples nearest to `target` as squared distances of pairs, the nearest first.
+/// The `count` samples nearest to `target` as squared distances of pairs, the nearest first, and
+/// those that are as near as the last of them: which of equals is taken must not depend on their
+/// order.
 std::vector<std::pair<double, std::size_t>> nearestSamples(const std::vector<LightAndView>& samples,
                                                            const LightAndView& target,
                                                            std::size_t count);

@@ -114,6 +114,20 @@ TEST_CASE("counts past 32 bits stand as the largest, and come back") {
     CHECK(back.counts.extrapolated == 12);
 }
 
+TEST_CASE("the surface's plane, its margin and what lies outside come back") {
+    AtlasHeader atlas = smallAtlas();
+    atlas.plane = -2.5;
+    atlas.margin = 9;
+    atlas.counts.outside = 77;
+    Imf::Header header = stored(atlas);
+    const AtlasHeader back = atlasHeaderFrom(header, "some.exr");
+    CHECK(back.plane == -2.5);
+    CHECK(back.margin == 9);
+    CHECK(back.counts.outside == 77);
+    for (const char* name : {"abrdf:plane", "abrdf:margin", "abrdf:outside"}) header.erase(name);
+    CHECK(atlasHeaderFrom(header, "some.exr").plane == 0);
+}
+
 TEST_CASE("a header tells no host, owner or time") {
     const Imf::Header header = stored(smallAtlas());
     for (const char* name : {"capDate", "owner", "hostComputer", "DateTime", "comments"}) {

@@ -61,6 +61,12 @@ TEST_CASE("the report has every key of the interface, and the table a row a meth
             CHECK(result["highlight"].contains(key));
             CHECK(result["unsampled"].contains(key));
         }
+        for (const char* key :
+             {"delta_e", "delta_e_95", "psnr", "psnr_95", "s_cielab", "ssim", "images_seen"}) {
+            CAPTURE(key);
+            CHECK(result["texels"].contains(key));
+            CHECK(result["unsampled"]["texels"].contains(key));
+        }
     }
     const auto& published = report["results"][0];
     CHECK(published["samples"] == 204);
@@ -74,7 +80,7 @@ TEST_CASE("the report has every key of the interface, and the table a row a meth
     CHECK(measured["rmse"] == 0.0);
     CHECK(measured["unsampled"]["pairs"] == 0);
     const std::string table = tableOf(report);
-    CHECK(std::ranges::count(table, '\n') == 4);
+    CHECK(std::ranges::count(table, '\n') == 4 + 6);  // All pairs and unsampled ones, of texels.
     CHECK(table.find("published") != std::string::npos);
 }
 

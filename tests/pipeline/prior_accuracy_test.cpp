@@ -6,6 +6,7 @@
 #include "stages/reconstruct/prior_material.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/train/train_prior.h"
+#include "tests/support/measured_materials.h"
 #include "tests/support/synthetic_btf.h"
 
 #include <doctest/doctest.h>
@@ -20,24 +21,6 @@ using namespace abrdf;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The ten measured materials and the rendered twill, all on UBO2003's grid.
-std::vector<std::vector<Rgb>> materials() {
-    std::vector<std::string> names;
-    const fs::path folder = fs::path(ABRDF_SHARED_DATA) / "measured81";
-    if (!fs::exists(folder)) return {};
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        names.push_back("measured81/" + entry.path().filename().string());
-    }
-    std::ranges::sort(names);
-    names.emplace_back("virtual/twill_mean_f32.bin");
-    std::vector<std::vector<Rgb>> tables;
-    for (const std::string& name : names) {
-        std::vector<Rgb> table = sharedTable(name);
-        if (table.size() == 6561) tables.push_back(std::move(table));
-    }
-    return tables;
-}
 
 struct Means {
     double deltaE = 0;
@@ -81,7 +64,7 @@ SamplePlan greedy(std::size_t count) {
 TEST_SUITE_BEGIN("slow");
 
 TEST_CASE("the prior reaches its figures on the measured materials") {
-    const auto tables = materials();
+    const auto tables = measuredMaterials();
     if (tables.empty()) {
         MESSAGE("skipped: there are no measured materials beside this checkout");
         return;

@@ -148,6 +148,36 @@ TEST_SUITE("unit") {
         checkPair(canvas, sheet, 0, Panel::kDeltaE, 3, {128, 128, 128});
     }
 
+    TEST_CASE("images of texels stand below their method, each texel a square") {
+        const TemporaryFolder folder;
+        auto sheet = smallSheet(2, 3, 2);
+        sheet.imageWidth = 3;
+        sheet.imageHeight = 2;
+        for (SheetRow& row : sheet.rows) {
+            for (int i = 0; i < 2; ++i) {
+                row.images.push_back({"an image", std::vector<Rgb>(6), std::vector<Rgb>(6)});
+                row.images.back().measurement[4] = {0.1F, 0.2F, 0.3F};
+                row.images.back().reconstruction[4] = row.reconstruction[2];
+            }
+        }
+        const Canvas canvas = written(folder.path / "sheet.png", sheet);
+        checkPanels(canvas, sheet);
+        for (std::size_t row = 0; row < 2; ++row) {
+            for (std::size_t image = 0; image < 2; ++image) {
+                const auto texel4 = [&](Panel panel) {
+                    const Rectangle area = imageRectangle(sheet, row, image, panel);
+                    return canvas.at(area.x + area.width / 2, area.y + area.height - 1);
+                };
+                CHECK(texel4(Panel::kMeasurement) == shown({0.1F, 0.2F, 0.3F}, 1));
+                CHECK(texel4(Panel::kReconstruction) ==
+                      shown(sheet.rows[row].reconstruction[2], 1));
+            }
+        }
+        CHECK(imageRectangle(sheet, 0, 1, Panel::kDeltaE).bottom() <
+              panelRectangle(sheet, 1, Panel::kDeltaE).y);
+        sheet.rows[1].images.pop_back();
+        CHECK_THROWS_AS(writeContactSheet(folder.path / "b.png", sheet), std::invalid_argument);
+    }
     TEST_CASE("the same sheet gives the same bytes") {
         const TemporaryFolder folder;
         writeContactSheet(folder.path / "a.png", smallSheet(5, 4, 2));

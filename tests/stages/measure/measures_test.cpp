@@ -182,6 +182,36 @@ TEST_SUITE("unit") {
     }
 }
 
+TEST_SUITE("unit") {
+    TEST_CASE("of many texels: the whole as one list, and 95 % of the texels") {
+        // Texel t is off by t; the last one is unknown.
+        constexpr std::size_t kTexels = 101;
+        AbrdfTile truth(kTexels + 1, 2);
+        AbrdfTile other(kTexels + 1, 2);
+        for (std::size_t t = 0; t < kTexels; ++t) {
+            for (std::size_t pair = 0; pair < 2; ++pair) {
+                truth[t][pair] = grey(0.2);
+                other[t][pair] = grey(0.2 + (pair == 0 ? 0.002 * static_cast<double>(t) : 0));
+            }
+        }
+        for (Rgb& c : truth[kTexels]) c = {kNan, kNan, kNan};
+        const std::vector<std::vector<std::uint8_t>> masks = {{1, 1}, {1, 0}, {0, 1}};
+        const auto measures = measureTexels(truth, other, masks, {});
+        const Accuracy all = measureAccuracy(truth.values(), other.values(), {}, MeasureOptions{});
+        CHECK(measures[0].accuracy.pairs == 2 * kTexels);
+        CHECK(measures[0].accuracy.natural.deltaE == doctest::Approx(all.natural.deltaE));
+        CHECK(measures[0].accuracy.highlight.rmse == doctest::Approx(all.highlight.rmse));
+        CHECK(measures[0].accuracy.stops == doctest::Approx(all.stops));
+        CHECK(measures[1].deltaE == doctest::Approx(2 * measures[0].deltaE));
+        CHECK(measures[2].deltaE == 0);
+        const auto ofTexel = [&](std::size_t t) {
+            return measureAccuracy(truth[t].first(1), other[t].first(1), {}, {}).natural;
+        };
+        CHECK(measures[1].deltaE95 == doctest::Approx(ofTexel(95).deltaE));
+        CHECK(measures[1].psnr95 == doctest::Approx(ofTexel(95).psnr));
+    }
+}
+
 TEST_SUITE("threads") {
     TEST_CASE("the measures have the same bits on one thread and on many") {
         const auto truth = ramp(10007, 1.5F);

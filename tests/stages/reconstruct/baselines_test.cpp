@@ -102,8 +102,8 @@ TEST_CASE("idw is its equation, from the four nearest samples") {
         if (byDistance[0].first < 1e-9) continue;  // A sample itself.
         double sum = 0;
         double weights = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const auto [distance, k] = byDistance[i];
+        for (const auto& [distance, k] : byDistance) {
+            if (distance > byDistance[3].first + 1e-9) break;  // Equals count as one another do.
             const double cosine = std::cos(directions[k].light.theta);
             sum += static_cast<double>(samples[k].g) / cosine / distance;
             weights += 1 / distance;

@@ -39,7 +39,7 @@ double deltaEOf(const std::vector<Rgb>& truth, const std::vector<Rgb>& abrdf) {
 
 ReconstructionTask taskFor(const std::vector<Rgb>& mean) {
     const SmallPrior& prior = smallPrior();
-    return {{}, prior.samples, prior.grid, prior.grid, mean, prior.model, {}};
+    return {{}, prior.samples, prior.grid, prior.grid, mean, {}, prior.model, {}};
 }
 
 /// The slow twin: the mixture of conditional means in double precision, term by term.
@@ -154,6 +154,39 @@ TEST_CASE("the samples themselves are reproduced, and the rest is near the truth
         worst = std::max(worst, static_cast<double>(std::abs(abrdf[pair].g / truth[pair].g - 1)));
     }
     CHECK(worst < 0.05);
+}
+
+TEST_CASE("models are chosen by texels where there are some, else by the mean") {
+    // A texel that is half plastic, half its shadow side: unlike the mean, whose models it ignores.
+    const auto texel = [](const LightAndView& pair) {
+        const double facing = std::cos(pair.light.phi) * std::sin(pair.light.theta);
+        const auto lit = static_cast<float>(facing > 0.1 ? 1 : 0.05);
+        return lit * plastic(pair);
+    };
+    const PriorModel& model = *smallPrior().model;
+    const std::vector<Rgb> mean = smallPrior().samplesOf(plastic);
+    std::vector<Rgb> texels = smallPrior().samplesOf(texel);
+    const std::vector<Rgb> one = texels;
+    const PriorMaterial byMean(model, rows(), mean, {});
+    const PriorMaterial byTexel(model, rows(), mean, {}, one);
+    texels.insert(texels.end(), one.begin(), one.end());
+    const PriorMaterial byTwo(model, rows(), mean, {}, texels);
+    const auto error = [&](const PriorMaterial& material) {
+        std::vector<Rgb> abrdf(smallPrior().grid.pairCount());
+        material.reconstruct(one, abrdf);
+        return deltaEOf(smallPrior().abrdfOf(texel), abrdf);
+    };
+    CHECK(error(byTexel) < 0.9 * error(byMean));
+    CHECK(byTexel.leaveOneOutError() > byMean.leaveOneOutError());
+    // A texel twice is that texel; the mean as the only texel is the mean.
+    REQUIRE(byTwo.terms().size() == byTexel.terms().size());
+    for (std::size_t i = 0; i < byTwo.terms().size(); ++i) {
+        CHECK(byTwo.terms()[i].classIndex == byTexel.terms()[i].classIndex);
+        CHECK(byTwo.terms()[i].weight == doctest::Approx(byTexel.terms()[i].weight));
+    }
+    CHECK(byTwo.leaveOneOutError() == doctest::Approx(byTexel.leaveOneOutError()));
+    CHECK(PriorMaterial(model, rows(), mean, {}, mean).leaveOneOutError() ==
+          byMean.leaveOneOutError());
 }
 
 TEST_CASE("black is black, and a channel of zeros stays zero") {
@@ -291,10 +324,11 @@ TEST_CASE("a texel's ABRDF has the same bits alone, among others, and on any num
         CHECK(std::ranges::equal(values, first));
     }
     const std::size_t pairs = prior.grid.pairCount();
-    std::vector<Rgb> alone(pairs);
     for (const std::size_t texel : {0U, 31U, 32U, 74U}) {
-        reconstructor->reconstruct(samples[texel], alone);
-        CHECK(std::ranges::equal(alone, std::span(first).subspan(texel * pairs, pairs)));
+        AbrdfTile one(1, prior.samples.count());
+        std::ranges::copy(samples[texel], one[0].begin());
+        const ReconstructedTexels alone = reconstructTexels(one, prior.grid, *reconstructor);
+        CHECK(std::ranges::equal(alone.abrdfs[0], std::span(first).subspan(texel * pairs, pairs)));
     }
 }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abrdf/direction.h"
+#include "color/rgb.h"
+
+#include <span>
+#include <vector>
+
+namespace abrdf {
+
+/// Mean CIE 1976 Delta E of samples against what `idw` makes of each from its four nearest others,
+/// at an exposure. Values as samples have them, linear Rec.709 or near it.
+double neighbourError(const std::vector<LightAndView>& directions, std::span<const Rgb> samples,
+                      double exposure);
+
+}  // namespace abrdf
