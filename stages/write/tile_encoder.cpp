@@ -13,6 +13,8 @@ namespace abrdf {
 
 namespace {
 
+constexpr int kZipLevel = 4;
+
 exr_compression_t exrCompression(Compression compression) {
     switch (compression) {
         case Compression::kNone:
@@ -130,6 +132,9 @@ TileEncoder::TileEncoder(int width, int height, int tileWidth, int tileHeight, P
                               EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
               "make a header");
     }
+    // The level of OpenEXR's own files. The core's is zlib's, a few percent smaller at twice the
+    // time.
+    check(exr_set_zip_compression_level(context, part, kZipLevel), "make a header");
     check(exr_write_header(context), "make a header");
 }
 

@@ -6,15 +6,14 @@
 #include "abrdf/for_each_texel.h"
 #include "color/delta_e.h"
 #include "pipeline/convert.h"
+#include "tests/bench/decode_limit.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <turbojpeg.h>
 #include <unistd.h>
-#include <zip.h>
 
 #include <algorithm>
 #include <chrono>
@@ -29,7 +28,6 @@ namespace fs = std::filesystem;
 
 using abrdf::AngularGrid;
 using abrdf::Direction;
-using Bytes = std::vector<unsigned char>;
 
 constexpr int kSize = 256;            // pixels each way, as UBO2003's
 constexpr std::size_t kCloths = 384;  // distinct images; the poster's plan reads fewer
@@ -48,11 +46,6 @@ struct TemporaryFolder {
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 };
-
-struct FreeTurbo {
-    void operator()(void* handle) const { tjDestroy(handle); }
-};
-using Turbo = std::unique_ptr<void, FreeTurbo>;
 
 /// A photograph of the virtual cloth, with the noise of a camera.
 Bytes jpegOf(const abrdf::DemoCloth& cloth, const abrdf::LightAndView& pair, unsigned seed) {
@@ -157,48 +150,6 @@ ProgramRun runProgram(const fs::path& database, const fs::path& atlas) {
     });
     if (status != 0) throw std::runtime_error(program.string() + " failed; is it built?");
     return {seconds, static_cast<double>(usage.ru_maxrss) / 1024};
-}
-
-/// The bytes of the images that `convert` reads, in its order.
-std::vector<Bytes> plannedImages(const abrdf::ConvertOptions& options) {
-    zip_t* archive = zip_open(options.input.input.c_str(), ZIP_RDONLY, nullptr);
-    if (archive == nullptr) throw std::runtime_error("the database is not a zip");
-    std::vector<Bytes> images;
-    const nlohmann::ordered_json plan = abrdf::planConvert(options);
-    for (const std::string file : plan["images"]) {
-        const std::string name = file.substr(file.find(": ") + 2);
-        zip_stat_t stat;
-        zip_file_t* entry = zip_fopen(archive, name.c_str(), 0);
-        if (entry == nullptr || zip_stat(archive, name.c_str(), 0, &stat) != 0) {
-            throw std::runtime_error(name + " is not in the database");
-        }
-        Bytes bytes(stat.size);
-        zip_fread(entry, bytes.data(), bytes.size());
-        zip_fclose(entry);
-        images.push_back(std::move(bytes));
-    }
-    zip_discard(archive);
-    return images;
-}
-
-/// The limit: nothing but decoding, from memory, on all cores.
-void decodeAll(const std::vector<Bytes>& images) {
-    abrdf::forEachImage(images.size(), [&](std::size_t i) {
-        thread_local const Turbo turbo(tjInitDecompress());
-        thread_local Bytes pixels;
-        int width = 0;
-        int height = 0;
-        int sampling = 0;
-        int space = 0;
-        const auto size = static_cast<unsigned long>(images[i].size());
-        const bool known = tjDecompressHeader3(turbo.get(), images[i].data(), size, &width, &height,
-                                               &sampling, &space) == 0;
-        pixels.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        if (!known || tjDecompress2(turbo.get(), images[i].data(), size, pixels.data(), width, 0,
-                                    height, TJPF_RGB, TJFLAG_ACCURATEDCT) != 0) {
-            throw std::runtime_error(tjGetErrorStr2(turbo.get()));
-        }
-    });
 }
 
 double median(std::vector<double> values) {
