@@ -166,10 +166,10 @@ class Drape : public Surface {
     void findHorizons() {
         horizons_.resize(static_cast<std::size_t>(kNodes) * kNodes);
         for (std::size_t node = 0; node < horizons_.size(); ++node) {
-            const double x =
-                kHalfSide * (2.0 * static_cast<double>(node % kNodes) / (kNodes - 1) - 1);
-            const double z =
-                kHalfSide * (2.0 * static_cast<double>(node / kNodes) / (kNodes - 1) - 1);
+            const std::size_t column = node % kNodes;
+            const std::size_t row = node / kNodes;
+            const double x = kHalfSide * (2.0 * static_cast<double>(column) / (kNodes - 1) - 1);
+            const double z = kHalfSide * (2.0 * static_cast<double>(row) / (kNodes - 1) - 1);
             const double y = heightAt(x, z);
             for (int k = 0; k < kAzimuths; ++k) {
                 const double azimuth = 2 * kPi * k / kAzimuths;

@@ -54,8 +54,8 @@ GatheredLight::GatheredLight(const Material& material, const Surface& surface,
             for (std::size_t node = begin; node < end; ++node) {
                 const int last = closes_ ? wide_ : wide_ - 1;
                 const double u = last > 0 ? static_cast<double>(node % columns) / last : 0.5;
-                const double v =
-                    high_ > 1 ? static_cast<double>(node / columns) / (high_ - 1) : 0.5;
+                const std::size_t row = node / columns;
+                const double v = high_ > 1 ? static_cast<double>(row) / (high_ - 1) : 0.5;
                 const Frame frame = surface.frameAt(u, v);
                 if ((frame.normal ^ towards) < turnedAway) continue;
                 Rgb* strengths = &strengths_[node * lightCount_];

@@ -196,7 +196,7 @@ Rgb whiteShows(const std::vector<Light>& lights, const Imath::V3d& normal) {
     return sum;
 }
 
-void normalize(std::vector<std::vector<Light>*> lights) {
+void normalize(const std::vector<std::vector<Light>*>& lights) {
     double brightest = 0;
     for (int elevation = -90; elevation <= 90; elevation += 10) {
         for (int azimuth = 0; azimuth < 360; azimuth += 10) {

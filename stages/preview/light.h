@@ -30,6 +30,6 @@ std::vector<Light> turned(std::vector<Light> lights, Radians azimuth);
 Rgb whiteShows(const std::vector<Light>& lights, const Imath::V3d& normal);
 
 /// Scales lights so that the brightest white Lambertian among all orientations has luminance 1.
-void normalize(std::vector<std::vector<Light>*> lights);
+void normalize(const std::vector<std::vector<Light>*>& lights);
 
 }  // namespace abrdf

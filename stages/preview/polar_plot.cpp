@@ -163,8 +163,10 @@ class Plotter {
         constexpr std::size_t kSide = 2 * kRadius;
         std::vector<Rgb> values(kSide * kSide);
         forEachTexel(values.size(), [&](std::size_t i) {
-            const double px = (static_cast<double>(i % kSide) + 0.5) / kRadius - 1;
-            const double py = 1 - (static_cast<double>(i / kSide) + 0.5) / kRadius;
+            const std::size_t column = i % kSide;
+            const std::size_t row = i / kSide;
+            const double px = (static_cast<double>(column) + 0.5) / kRadius - 1;
+            const double py = 1 - (static_cast<double>(row) + 0.5) / kRadius;
             if (const auto view = viewOnHemisphere({px, py})) {
                 values[i] = lookUp(atlas, light, *view, 0, 0);
             }

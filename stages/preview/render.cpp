@@ -165,8 +165,10 @@ void sampleInto(Picture& picture, std::size_t pixel, int side, const Shader& sha
     double depth = 0;
     int hits = 0;
     for (int i = 0; i < side * side; ++i) {
+        const std::size_t row = pixel / width;
+        const int subRow = i / side;
         const double x = static_cast<double>(pixel % width) + (i % side + 0.5) / side;
-        const double y = static_cast<double>(pixel / width) + (i / side + 0.5) / side;
+        const double y = static_cast<double>(row) + (subRow + 0.5) / side;
         const Ray ray = camera.rayThrough(x, y);
         const std::optional<SurfacePoint> point = surface.hit(ray);
         if (!point) continue;
@@ -197,8 +199,9 @@ Picture render(const Material& material, const Scene& scene, int width, int heig
     Hits hits(picture.count());
     const auto columns = static_cast<std::size_t>(width);
     forEachTexel(hits.size(), [&](std::size_t i) {
+        const std::size_t row = i / columns;
         hits[i] = scene.surface->hit(camera.rayThrough(static_cast<double>(i % columns) + 0.5,
-                                                       static_cast<double>(i / columns) + 0.5));
+                                                       static_cast<double>(row) + 0.5));
     });
     const bool textured = material.texelsWide() * material.texelsHigh() > 1;
     std::atomic<std::size_t> done = 0;

@@ -86,7 +86,7 @@ class Fitting {
         const Eigen::Vector2d right = basis.transpose() * wanted;
         const double determinant = gram.determinant();
         if (determinant > 1e-12 * gram(0, 0) * gram(1, 1)) {
-            const Eigen::Vector2d x = gram.inverse() * right;
+            Eigen::Vector2d x = gram.inverse() * right;
             if (x.minCoeff() >= 0) return x;
         }
         const auto alone = [&](Eigen::Index i) {
