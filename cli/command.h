@@ -36,6 +36,7 @@ using RunCommand = std::function<int(const SharedOptions&, const ProgressSink&)>
 void addConvert(CLI::App& app, RunCommand& run);
 void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
+void addChart(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
 void addExport(CLI::App& app, RunCommand& run);
 void addStress(CLI::App& app, RunCommand& run);
@@ -54,7 +55,10 @@ void addReadOptions(CLI::App& command, ReadOptions& options);
 /// --grazing, for commands that write on a grid of the user's choice.
 void addGrazingOption(CLI::App& command, Grazing& grazing);
 
-/// The input, its colours and missing images: for every command on a database.
+/// How databases are read, their colours and missing images, but for the input itself.
+void addDatabaseOptions(CLI::App& command, InputOptions& options);
+
+/// The same and the input: for every command on a database.
 void addInputOptions(CLI::App& command, InputOptions& options);
 
 /// The method's plan, model and numbers: for every command that reconstructs.

@@ -53,6 +53,10 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
         .add_option("INPUT", options.input,
                     "folder or .zip of a BTF, a BRDF file, an atlas or a manifest")
         ->required();
+    addDatabaseOptions(command, options);
+}
+
+void addDatabaseOptions(CLI::App& command, InputOptions& options) {
     addReadOptions(command, options.read);
     command.add_option("--colorconfig", options.colorConfig,
                        "OpenColorIO config (else $OCIO, else the shipped one)");

@@ -18,6 +18,7 @@ struct Options {
     std::string compression = "zip";
     std::string cosine = "keep";
     std::string shard = "1/1";
+    std::string budget;
     bool dryRun = false;
     bool noClobber = false;
 };
@@ -79,6 +80,7 @@ int run(Options options, const SharedOptions& shared, const ProgressSink& progre
     options.job.plane = planeFrom(options.plane);
     options.job.layout = atlasKindFromName(options.layout);
     options.job.compression = compressionFromName(options.compression);
+    if (!options.budget.empty()) options.job.limits.budget = microsecondsFromText(options.budget);
     options.job.divideCosine = options.cosine == "divide";
     options.job.shard = shardFromText(options.shard);
     options.job.memory = shared.memoryBytes();
@@ -109,8 +111,15 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
     addInputOptions(*command, job.input);
     addMethodOptions(*command, job.method);
     command->add_option("-o,--output", job.output, "the atlas, an OpenEXR file")->required();
-    command->add_option("--method", job.method.name, "see abrdf --list-methods")
-        ->capture_default_str();
+    const CLI::Option* method =
+        command->add_option("--method", job.method.name, "see abrdf --list-methods")
+            ->capture_default_str();
+    command->add_option("--budget", options->budget,
+                        "choose the most accurate method within this time an ABRDF: 50us, 1ms");
+    command->add_option("--tolerance", job.limits.tolerance,
+                        "choose the fewest samples whose expected mean Delta E is within it");
+    command->add_flag("--strict", job.limits.strict,
+                      "fail where nothing meets --budget and --tolerance");
     command
         ->add_option("--grid", job.grid,
                      "input | ubo81 | dome151 | utia288 | regular:THETASxPHIS | a CSV of "
@@ -138,7 +147,8 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
     command->add_option("--shard", options->shard,
                         "only part I of N of the map, as 1/4; abrdf merge joins them");
     command->add_flag("--no-clobber", options->noClobber, "keep an existing output");
-    command->callback([options, &runCommand] {
+    command->callback([options, method, &runCommand] {
+        options->job.limits.methodIsOpen = method->count() == 0;
         runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {
             return run(*options, shared, progress);
         };

@@ -108,6 +108,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addConvert(app, run);
     abrdf::addInspect(app, run);
     abrdf::addEvaluate(app, run);
+    abrdf::addChart(app, run);
     abrdf::addTrain(app, run);
     abrdf::addExport(app, run);
     abrdf::addStress(app, run);

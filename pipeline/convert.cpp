@@ -264,7 +264,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
 
     const std::vector<std::size_t>& images = job.samples().pairs;
     const auto reconstructor =
-        buildReconstructor(options.method, job.planned, job.input, images, facts, progress);
+        buildReconstructor(job.method, job.planned, job.input, images, facts, progress);
     malloc_trim(0);
     const ordered_json identity =
         identityOf(asked, facts.hash, meanSamples(images, facts.means, job.samples()),

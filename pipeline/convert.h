@@ -3,6 +3,7 @@
 
 #include "abrdf/atlas_header.h"
 #include "abrdf/grazing.h"
+#include "pipeline/method_limits.h"
 #include "pipeline/plane.h"
 #include "pipeline/reconstruction.h"
 #include "stages/write/atlas_writer.h"
@@ -31,6 +32,7 @@ struct ConvertOptions {
     InputOptions input;
     std::filesystem::path output;
     MethodChoice method;
+    MethodLimits limits;  ///< By which method, plan and rank are chosen.
     std::string grid = "input";        ///< Or what gridFromName() takes.
     Grazing grazing = Grazing::kHold;  ///< Past the measured elevations.
     Texels texels;

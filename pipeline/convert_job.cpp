@@ -25,7 +25,7 @@ AtlasHeader headerOf(const ConvertJob& job, const ConvertOptions& options) {
                      static_cast<int>(job.grid.lights().size()),
                      static_cast<int>(job.grid.views().size())};
     header.grid = job.grid;
-    header.method = options.method.name;
+    header.method = job.method.name;
     header.plan = job.planned.planName();
     header.samples = static_cast<int>(job.samples().count());
     header.source = description.source;
@@ -164,7 +164,10 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     const BtfDescription& description = job.input.description();
     job.grazing =
         GrazingMap(job.grid, description.maxMeasuredTheta, options.grazing, description.cosine);
-    job.planned = planMethod(options.method, job.input, job.grazing.inner(), progress);
+    job.method = options.method;
+    job.chosen =
+        settleMethod(job.method, options.limits, job.grazing.inner().pairCount(), job.input.warn);
+    job.planned = planMethod(job.method, job.input, job.grazing.inner(), progress);
     job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
     job.isUnshifted = options.plane.unshift && job.found.plane.height != 0;
     checkUnshift(job, options);
@@ -176,7 +179,7 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
 }
 
 ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options) {
-    const MethodChoice& choice = options.method;
+    const MethodChoice& choice = job.method;
     std::uint64_t plan = job.samples().count();
     for (const LightAndView& pair : job.samples().directions) {
         plan = hashOf({pair.light, pair.view}, plan);
@@ -239,7 +242,8 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options) {
     report["plan"] = {{"name", job.header.plan},
                       {"samples", job.samples().count()},
                       {"images_read", job.samples().pairs.size()}};
-    report["method"] = options.method.name;
+    report["method"] = job.method.name;
+    if (!job.chosen.is_null()) report["choice"] = job.chosen;
     report["texels"] = {job.texels.width, job.texels.height};
     const ordered_json conversion = {{"what", description.source},
                                      {"from", job.input.inputSpace},

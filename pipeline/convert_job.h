@@ -19,6 +19,8 @@ namespace abrdf {
 /// All of a conversion that is decided before the first image is decoded.
 struct ConvertJob {
     OpenedInput input;
+    MethodChoice method;            ///< Settled.
+    nlohmann::ordered_json chosen;  ///< Why; null where there was nothing to choose.
     PlannedMethod planned;
     FoundPlane found;
     AngularGrid grid;

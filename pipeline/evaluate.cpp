@@ -5,6 +5,7 @@
 #include "abrdf/output_file.h"
 #include "pipeline/evaluate_report.h"
 #include "pipeline/evaluate_sheet.h"
+#include "pipeline/method_time.h"
 #include "pipeline/unshifted_texels.h"
 #include "stages/measure/contact_sheet.h"
 #include "stages/measure/measures.h"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 namespace abrdf {
@@ -59,27 +59,6 @@ std::vector<std::uint8_t> maskOf(const Reference& reference,
     return pairs;
 }
 
-/// Median of warm repetitions on one core, in microseconds: of as many texels as the method likes
-/// to do together, or as there are.
-double microsecondsPerAbrdf(const Reconstructor& reconstructor, const AbrdfTile& samples,
-                            std::size_t pairs) {
-    using Clock = std::chrono::steady_clock;
-    const std::size_t texels = std::min(reconstructor.texelsAtOnce(), samples.texelCount());
-    std::vector<Rgb> abrdfs(pairs * texels);
-    std::vector<double> times;
-    const auto start = Clock::now();
-    while (times.size() < 5 ||
-           (Clock::now() - start < std::chrono::milliseconds(50) && times.size() < 1000)) {
-        const auto before = Clock::now();
-        reconstructor.reconstruct(samples.values().first(samples.valuesPerTexel() * texels),
-                                  abrdfs);
-        times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count() /
-                        static_cast<double>(texels));
-    }
-    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-    return times[times.size() / 2];
-}
-
 /// What a method makes of one input.
 struct Reconstruction {
     PlannedMethod planned;
@@ -115,7 +94,7 @@ Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input,
         toRec709.apply(result.abrdfs[texel]);
     });
     result.microsecondsPerAbrdf =
-        microsecondsPerAbrdf(*reconstructor, sliced.samples, grid.pairCount());
+        timeMethod(*reconstructor, sliced.samples[0], grid.pairCount(), 0.05).oneCore;
     result.multiplyAdds = reconstructor->multiplyAdds();
     return result;
 }

@@ -58,9 +58,10 @@ std::vector<std::size_t> cachedPairs(const fs::path& file, const AngularGrid& gr
 }
 
 std::vector<std::size_t> computedGreedyPairs(const AngularGrid& grid, std::size_t count,
+                                             std::vector<std::size_t> first,
                                              const ProgressSink& progress,
                                              const MessageSink& warn) {
-    std::string key = "greedy pairs 2";
+    std::string key = "greedy pairs 3";
     for (const LightAndView& pair : pairsOf(grid)) {
         key += fmt::format(" {:.6f} {:.6f} {:.6f} {:.6f}", pair.light.theta, pair.light.phi,
                            pair.view.theta, pair.view.phi);
@@ -75,6 +76,7 @@ std::vector<std::size_t> computedGreedyPairs(const AngularGrid& grid, std::size_
     }
     GreedyOptions options;
     options.count = count;
+    options.first = std::move(first);
     // A thousand materials on UBO2003's grid; fewer where a grid is so fine that they fill the
     // memory.
     options.materials = std::clamp<std::size_t>(1000 * 6561 / grid.pairCount(), 200, 1000);
@@ -95,12 +97,15 @@ SamplePlan greedyPlan(const PlanName& name, const AngularGrid& measured,
     const std::size_t count =
         std::min(name.bound > 0 ? name.bound : kPlanSamples, measured.pairCount());
     const std::string full = name.bound > 0 ? fmt::format("greedy:{}", name.bound) : "greedy";
-    const std::vector<std::size_t>& builtIn = greedyPairsOfUbo81();
-    if (isUbo81(measured.lights()) && isUbo81(measured.views()) && count <= builtIn.size()) {
-        return pairsPlan(full, AngularGrid(ubo81Directions()),
-                         {builtIn.begin(), builtIn.begin() + static_cast<std::ptrdiff_t>(count)});
+    const bool isUbo = isUbo81(measured.lights()) && isUbo81(measured.views());
+    const AngularGrid grid = isUbo ? AngularGrid(ubo81Directions()) : measured;
+    // A longer plan goes on where the one built in ends.
+    std::vector<std::size_t> pairs = isUbo ? greedyPairsOfUbo81() : std::vector<std::size_t>();
+    if (pairs.size() < count) {
+        pairs = computedGreedyPairs(grid, count, std::move(pairs), progress, warn);
     }
-    return pairsPlan(full, measured, computedGreedyPairs(measured, count, progress, warn));
+    pairs.resize(count);
+    return pairsPlan(full, grid, pairs);
 }
 
 /// A choice with what it leaves open filled in.

@@ -20,6 +20,11 @@ struct PlanChoice {
     std::optional<double> alpha = {};     ///< Of the plan poster, degrees.
     int axial = 0;                        ///< Of the plan poster; 0: its own.
     int diagonal = 0;                     ///< Of the plan poster; 0: its own.
+
+    /// True where the user said nothing of it.
+    bool isOpen() const {
+        return name.empty() && elevations.empty() && !alpha && axial == 0 && diagonal == 0;
+    }
 };
 
 /// Throws std::invalid_argument for what no input could make right: an unknown plan, numbers that

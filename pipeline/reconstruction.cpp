@@ -10,8 +10,6 @@ namespace abrdf {
 
 namespace {
 
-constexpr double kNoiseOfCodes = 0.01;
-constexpr double kSaturatedCodes = 0.99;
 
 /// The model for the samples that were planned, without those that are missing.
 std::shared_ptr<const PriorModel> modelFor(const MethodChoice& choice, const PlannedMethod& planned,

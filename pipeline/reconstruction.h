@@ -10,6 +10,10 @@
 
 namespace abrdf {
 
+/// What is assumed of images that hold codes of 8 bits.
+inline constexpr double kNoiseOfCodes = 0.01;
+inline constexpr double kSaturatedCodes = 0.99;
+
 /// A method and everything that it heeds.
 struct MethodChoice {
     std::string name = "prior";

@@ -98,6 +98,18 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
         const Eigen::VectorXf own = chroma.col(static_cast<Eigen::Index>(c)).cast<float>();
         chromaCenters_[c] = centered(matrix, own.array() - own.mean());
     }
+    if (!options.centered) uncenter(map);
+}
+
+void PriorMaterial::uncenter(const PriorMap& map) {
+    for (Center& center : logCenters_) {
+        std::ranges::fill(center.input, 0.0F);
+        std::ranges::copy(map.offset, center.output.begin());
+    }
+    for (Center& center : chromaCenters_) {
+        std::ranges::fill(center.input, 0.0F);
+        std::ranges::fill(center.output, 0.0F);
+    }
 }
 
 /// Terms, and what restores clipped samples: of `colors` too, and of the texels that are returned.

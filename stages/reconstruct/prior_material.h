@@ -68,6 +68,8 @@ class PriorMaterial {
                      double exposure, const std::vector<Eigen::MatrixX3d>& kriged);
     static Center centered(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& input);
     void centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors);
+    /// Lets vectors enter the maps as they are.
+    void uncenter(const PriorMap& map);
     void addTexel(std::span<const Rgb> samples, Inputs& inputs) const;
     void multiply(const Inputs& inputs, std::size_t firstPanel, std::size_t panels,
                   Products& products) const;

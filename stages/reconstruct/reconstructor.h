@@ -20,6 +20,9 @@ struct ReconstructOptions {
     double noise = 0;       ///< Relative deviation of the samples' noise; larger trusts them less.
     double saturated = 0;   ///< Samples with a channel at or above it are clipped; 0: none are.
     int rank = 0;           ///< Of `prior`'s maps, 1 .. samples; 0 is full.
+    /// Maps of low rank are exact for the material's mean: right for many texels that are alike, and
+    /// no saving for one.
+    bool centered = true;
     bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
 };
 

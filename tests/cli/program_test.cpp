@@ -48,7 +48,8 @@ TEST_SUITE_BEGIN("cli");
 TEST_CASE("help is an answer, not a fault, for the program and for each command") {
     const TemporaryFolder folder;
     for (const char* command :
-         {"", "convert", "inspect", "evaluate", "preview", "report", "run", "merge", "demo"}) {
+         {"", "convert", "inspect", "evaluate", "chart", "stress", "preview", "report", "run", "merge",
+          "demo"}) {
         const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
         CHECK(run.status == 0);
         CHECK(contains(run.out, "Usage"));
