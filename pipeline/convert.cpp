@@ -266,6 +266,8 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
     const auto reconstructor =
         buildReconstructor(job.method, job.planned, job.input, images, facts, progress);
     malloc_trim(0);
+    const std::string remark = reconstructor->remark();
+    if (!remark.empty() && job.input.warn) job.input.warn(remark);
     const ordered_json identity =
         identityOf(asked, facts.hash, meanSamples(images, facts.means, job.samples()),
                    *reconstructor, job.grazing.inner().pairCount());
@@ -287,6 +289,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
     }
     ordered_json report = reportOf(job, options);
     report["counts"] = countsOf(written.counts, written.dimmed);
+    if (!remark.empty()) report["remark"] = remark;
     const double total = secondsSince(start);
     // Tiles are made while others are written: what remains beside reading and writing.
     report["time"] = {{"read", readSeconds - job.found.seconds},

@@ -66,6 +66,7 @@ struct Reconstruction {
     AbrdfTile abrdfs;  ///< Linear Rec.709.
     double microsecondsPerAbrdf = 0;
     double multiplyAdds = 0;
+    std::string remark;  ///< As Reconstructor's.
 };
 
 Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input, Texels texels,
@@ -96,6 +97,7 @@ Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input,
     result.microsecondsPerAbrdf =
         timeMethod(*reconstructor, sliced.samples[0], grid.pairCount(), 0.05).oneCore;
     result.multiplyAdds = reconstructor->multiplyAdds();
+    result.remark = reconstructor->remark();
     return result;
 }
 
@@ -131,6 +133,7 @@ ordered_json measured(const Reconstruction& reconstruction, const Reference& ref
     result["plane"] = jsonOf(reconstruction.found, input.description().grid);
     result["microseconds_per_abrdf"] = reconstruction.microsecondsPerAbrdf;
     result["multiply_adds"] = reconstruction.multiplyAdds;
+    if (!reconstruction.remark.empty()) result["remark"] = reconstruction.remark;
     return result;
 }
 

@@ -5,31 +5,53 @@
 #include "stages/reconstruct/weighted_samples.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace abrdf {
 
-double neighbourError(const std::vector<LightAndView>& directions, std::span<const Rgb> samples,
-                      double exposure) {
+namespace {
+
+/// Of each sample, its nearest others and their weights, cosines taken out and put in.
+std::vector<std::vector<SampleShare>> sharesOfOthers(const std::vector<LightAndView>& directions) {
     constexpr std::size_t kOthers = 4;
     constexpr double kSame = 1e-12;
+    std::vector<std::vector<SampleShare>> shares;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        std::vector<std::pair<double, std::size_t>> nearest =
+            nearestSamples(directions, directions[k], kOthers + 1);
+        std::erase_if(nearest, [&](const auto& one) { return one.second == k; });
+        double sum = 0;
+        for (const auto& [distance, other] : nearest) sum += 1 / std::max(distance, kSame);
+        std::vector<SampleShare>& own = shares.emplace_back();
+        for (const auto& [distance, other] : nearest) {
+            own.push_back({static_cast<std::uint32_t>(other),
+                           static_cast<float>(boundedCosine(directions[k].light) /
+                                              boundedCosine(directions[other].light) /
+                                              std::max(distance, kSame) / sum)});
+        }
+    }
+    return shares;
+}
+
+}  // namespace
+
+double neighbourError(const std::vector<LightAndView>& directions, std::span<const Rgb> samples,
+                      double exposure) {
+    if (samples.empty()) return 0;
+    const std::vector<std::vector<SampleShare>> shares = sharesOfOthers(directions);
     const auto e = static_cast<float>(exposure);
     double sum = 0;
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-        Rgb predicted;
-        double weights = 0;
-        for (const auto& [distance, other] : nearestSamples(directions, directions[k], kOthers + 1)) {
-            if (other == k) continue;
-            const double weight = 1 / std::max(distance, kSame);
-            weights += weight;
-            predicted += static_cast<float>(weight / boundedCosine(directions[other].light)) *
-                         samples[other];
+    for (std::size_t first = 0; first < samples.size(); first += directions.size()) {
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            Rgb predicted;
+            for (const SampleShare& share : shares[k]) {
+                predicted += share.weight * samples[first + share.sample];
+            }
+            sum += deltaE76(labFromLinearRec709(e * predicted),
+                            labFromLinearRec709(e * samples[first + k]));
         }
-        if (weights > 0) {
-            predicted *= static_cast<float>(boundedCosine(directions[k].light) / weights);
-        }
-        sum += deltaE76(labFromLinearRec709(e * predicted), labFromLinearRec709(e * samples[k]));
     }
-    return directions.empty() ? 0 : sum / static_cast<double>(directions.size());
+    return sum / static_cast<double>(samples.size());
 }
 
 }  // namespace abrdf

@@ -10,7 +10,7 @@
 namespace abrdf {
 
 /// Mean CIE 1976 Delta E of samples against what `idw` makes of each from its four nearest others,
-/// at an exposure. Values as samples have them, linear Rec.709 or near it.
+/// at an exposure. samples: texel after texel, linear Rec.709 or near it.
 double neighbourError(const std::vector<LightAndView>& directions, std::span<const Rgb> samples,
                       double exposure);
 

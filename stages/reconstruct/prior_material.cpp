@@ -69,6 +69,7 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
     const std::vector<Eigen::MatrixX3d> chosenBy = chooseModels(model, colors, texels, options);
     const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
     const double shown = choiceExposure(luminancesOf(chosenBy).reshaped());
+    shownExposure_ = shown;
     const ChromaKriging kriging(model.samples, colors, chosenBy, shown);
     const PairGroups isotropic = isotropicPairs(model.outputs);
     const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
@@ -80,7 +81,7 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
     const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
     luminance_ = LowRankMatrix(map.matrix, covarianceOf(model, terms_), options.rank);
     centerLogs(map, colors);
-    chooseBlend(model, chosenBy, options.exposure, kriging.leaveOneOut());
+    chooseBlend(model, chosenBy, shown, kriging.leaveOneOut());
     // The material's own luminance at the outputs is a feature of its chroma.
     const std::vector<float>& x = logCenters_[0].output;
     Eigen::VectorXd atOutputs(static_cast<Eigen::Index>(x.size()));
@@ -161,9 +162,8 @@ PriorMaterial::Center PriorMaterial::centered(const Eigen::MatrixXf& matrix,
 /// Chroma by kriging and chroma of channels that are estimated like luminance: the blend by which
 /// the samples predict one another best.
 void PriorMaterial::chooseBlend(const PriorModel& model,
-                                const std::vector<Eigen::MatrixX3d>& texels, double exposure,
+                                const std::vector<Eigen::MatrixX3d>& texels, double shown,
                                 const std::vector<Eigen::MatrixX3d>& kriged) {
-    const double shown = choiceExposure(luminancesOf(texels).reshaped());
     std::vector<Eigen::MatrixX3d> ofChannels(texels.size());
     std::vector<Eigen::VectorXd> predicted(texels.size());
     forEachImage(texels.size(), [&](std::size_t t) {
@@ -195,7 +195,7 @@ void PriorMaterial::chooseBlend(const PriorModel& model,
     for (std::size_t t = 0; t < texels.size(); ++t) {
         leaveOneOutError_ += meanDeltaE(chroma(t, static_cast<double>(blend_)).array().colwise() *
                                             predicted[t].array(),
-                                        texels[t], exposure) /
+                                        texels[t], shown) /
                              static_cast<double>(texels.size());
     }
 }

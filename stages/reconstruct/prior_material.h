@@ -36,9 +36,10 @@ class PriorMaterial {
 
     const std::vector<PriorTerm>& terms() const { return terms_; }
 
-    /// Mean CIE 1976 Delta E of the samples against their predictions from one another, over the
-    /// texels of the choice.
+    /// Mean CIE 1976 Delta E of the samples against their predictions from one another, at the
+    /// exposure at which models are compared; over the texels of the choice.
     double leaveOneOutError() const { return leaveOneOutError_; }
+    double shownExposure() const { return shownExposure_; }
 
   private:
     /// One texel's numbers beside its vectors.
@@ -65,7 +66,7 @@ class PriorMaterial {
                                                std::span<const Rgb> texels,
                                                const ReconstructOptions& options);
     void chooseBlend(const PriorModel& model, const std::vector<Eigen::MatrixX3d>& texels,
-                     double exposure, const std::vector<Eigen::MatrixX3d>& kriged);
+                     double shown, const std::vector<Eigen::MatrixX3d>& kriged);
     static Center centered(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& input);
     void centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors);
     /// Lets vectors enter the maps as they are.
@@ -90,6 +91,7 @@ class PriorMaterial {
     std::array<Center, 2> chromaCenters_;  ///< Of R and G.
     float blend_ = 0;  ///< Share of chroma from channels, beside chroma by kriging.
     double leaveOneOutError_ = 0;
+    double shownExposure_ = 1;
 };
 
 }  // namespace abrdf

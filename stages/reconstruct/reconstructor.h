@@ -16,12 +16,12 @@ namespace abrdf {
 
 /// Numbers that methods may heed.
 struct ReconstructOptions {
-    double exposure = 1;    ///< Factor on the values at which errors are weighed, > 0.
-    double noise = 0;       ///< Relative deviation of the samples' noise; larger trusts them less.
-    double saturated = 0;   ///< Samples with a channel at or above it are clipped; 0: none are.
-    int rank = 0;           ///< Of `prior`'s maps, 1 .. samples; 0 is full.
-    /// Maps of low rank are exact for the material's mean: right for many texels that are alike, and
-    /// no saving for one.
+    double exposure = 1;   ///< Factor on the values at which errors are weighed, > 0.
+    double noise = 0;      ///< Relative deviation of the samples' noise; larger trusts them less.
+    double saturated = 0;  ///< Samples with a channel at or above it are clipped; 0: none are.
+    int rank = 0;          ///< Of `prior`'s maps, 1 .. samples; 0 is full.
+    /// Maps of low rank are exact for the material's mean: right for many texels that are alike,
+    /// and no saving for one.
     bool centered = true;
     bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
 };
@@ -63,6 +63,9 @@ class Reconstructor {
     /// Largest condition number (2-norm, or 1-norm's estimate) of the linear systems that were
     /// solved for it; 1 where there are none.
     virtual double condition() const { return 1; }
+
+    /// A sentence that a user should know of this material; empty where there is nothing to say.
+    virtual std::string remark() const { return {}; }
 };
 
 /// A reconstruction method: one file in this folder.

@@ -235,6 +235,28 @@ TEST_CASE("no numbers make a negative, infinite or undefined answer") {
     }
 }
 
+TEST_CASE("where the samples contradict every model, their neighbours are asked, and it is said") {
+    // A step in the azimuth of the view, which no random material has, at any unit.
+    for (const float unit : {1e-4F, 1.0F, 1e4F}) {
+        const auto step = [&](const LightAndView& pair) {
+            const double side = std::sin(pair.view.phi + 0.3) > 0 ? 0.8 : 0.1;
+            const auto value = static_cast<float>(side * std::cos(pair.light.theta));
+            return unit * Rgb{value, value, value};
+        };
+        const std::vector<Rgb> samples = smallPrior().samplesOf(step);
+        const auto reconstructor = methodFromName("prior").make(taskFor(samples));
+        CHECK(reconstructor->remark().find("contradict") != std::string::npos);
+        std::vector<Rgb> abrdf(smallPrior().grid.pairCount());
+        std::vector<Rgb> neighbours(abrdf.size());
+        reconstructor->reconstruct(samples, abrdf);
+        methodFromName("idw").make(taskFor(samples))->reconstruct(samples, neighbours);
+        CHECK(abrdf == neighbours);
+    }
+    const auto plain = methodFromName("prior").make(taskFor(smallPrior().samplesOf(plastic)));
+    CHECK(plain->remark().empty());
+    CHECK(plain->condition() > 10);
+}
+
 TEST_CASE("a low rank is exact for the material's mean, and costs less") {
     const std::vector<Rgb> samples = smallPrior().samplesOf(plastic);
     const std::vector<Rgb> full = estimated(samples);
