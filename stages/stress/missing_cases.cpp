@@ -13,6 +13,7 @@ namespace abrdf {
 namespace {
 
 using Key = std::pair<long, long>;
+using KeyOf = Key (*)(const LightAndView& pair);
 
 long rounded(Radians angle) {
     return std::lround(degreesFromRadians(angle) / 2);
@@ -27,8 +28,7 @@ Key lightOf(const LightAndView& pair) {
 }
 
 /// The groups of the samples, those of most samples first.
-template <typename KeyOf>
-std::vector<Key> largestGroups(std::span<const LightAndView> samples, const KeyOf& keyOf) {
+std::vector<Key> largestGroups(std::span<const LightAndView> samples, KeyOf keyOf) {
     std::map<Key, std::size_t> counts;
     for (const LightAndView& sample : samples) ++counts[keyOf(sample)];
     std::vector<std::pair<Key, std::size_t>> sorted(counts.begin(), counts.end());
@@ -40,8 +40,7 @@ std::vector<Key> largestGroups(std::span<const LightAndView> samples, const KeyO
 }
 
 /// Leaves out the `count` largest groups, but never all of them.
-template <typename KeyOf>
-StressTrial withoutGroups(const StressMaterial& material, double count, const KeyOf& keyOf) {
+StressTrial withoutGroups(const StressMaterial& material, double count, KeyOf keyOf) {
     StressTrial trial;
     trial.truth = material;
     trial.kept = [count, keyOf](std::span<const LightAndView> samples, Random&) {

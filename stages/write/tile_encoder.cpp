@@ -159,9 +159,10 @@ void TileEncoder::encode(int tileX, int tileY, std::span<const char> packed,
     for (int c = 0; c < encode.channel_count; ++c) {
         // Not read: the tile is packed already.
         encode.channels[c].encode_from_ptr = reinterpret_cast<const std::uint8_t*>(packed.data());
-        encode.channels[c].user_pixel_stride = encode.channels[c].bytes_per_element;
-        encode.channels[c].user_line_stride = encode.channels[c].bytes_per_element;
-        encode.channels[c].user_bytes_per_element = encode.channels[c].bytes_per_element;
+        const auto bytes = static_cast<std::uint8_t>(encode.channels[c].bytes_per_element);
+        encode.channels[c].user_pixel_stride = bytes;
+        encode.channels[c].user_line_stride = bytes;
+        encode.channels[c].user_bytes_per_element = bytes;
         encode.channels[c].user_data_type = encode.channels[c].data_type;
     }
     check(exr_encoding_choose_default_routines(core_->context, 0, &encode), "compress a tile");
