@@ -29,11 +29,12 @@ std::string summaryOf(const nlohmann::ordered_json& r) {
         : r.contains("resumed_tiles")
             ? fmt::format(", {} tiles from an earlier run", r["resumed_tiles"].get<std::size_t>())
             : "";
-    return fmt::format("{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s{}\n",
-                       r["output"]["path"].get<std::string>(), r["texels"][0].get<int>(),
-                       r["texels"][1].get<int>(), r["grid"]["lights"].get<int>(),
-                       r["grid"]["views"].get<int>(), r["plan"]["images_read"].get<int>(),
-                       r["time"]["total"].get<double>(), before);
+    const std::string advice = r.contains("advice") ? r["advice"].get<std::string>() + "\n" : "";
+    return fmt::format(
+        "{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s{}\n{}",
+        r["output"]["path"].get<std::string>(), r["texels"][0].get<int>(),
+        r["texels"][1].get<int>(), r["grid"]["lights"].get<int>(), r["grid"]["views"].get<int>(),
+        r["plan"]["images_read"].get<int>(), r["time"]["total"].get<double>(), before, advice);
 }
 
 std::string planText(const nlohmann::ordered_json& r) {
@@ -68,6 +69,10 @@ void warnOfCounts(const nlohmann::ordered_json& counts) {
     if (counts["outside"] != 0) {
         spdlog::warn("{} pixels of the surface's plane lie outside their cropped image",
                      counts["outside"].dump());
+    }
+    if (counts.value("dimmed", 0) != 0) {
+        spdlog::info("{} values were dimmed to four times the texel's largest sample",
+                     counts["dimmed"].dump());
     }
     if (counts["clamped"] != 0) {
         spdlog::info("{} values were cut to the range that light can have",

@@ -32,7 +32,7 @@ struct ConvertOptions {
     InputOptions input;
     std::filesystem::path output;
     MethodChoice method;
-    MethodLimits limits;  ///< By which method, plan and rank are chosen.
+    MethodLimits limits;               ///< By which method, plan and rank are chosen.
     std::string grid = "input";        ///< Or what gridFromName() takes.
     Grazing grazing = Grazing::kHold;  ///< Past the measured elevations.
     Texels texels;

@@ -5,6 +5,7 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "color/known_space.h"
+#include "pipeline/plan_advice.h"
 
 #include <fmt/format.h>
 
@@ -243,6 +244,10 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options) {
                       {"samples", job.samples().count()},
                       {"images_read", job.samples().pairs.size()}};
     report["method"] = job.method.name;
+    if (job.planned.method->needsPrior) {
+        const std::string advice = planAdvice(job.header.plan, job.samples().count());
+        if (!advice.empty()) report["advice"] = advice;
+    }
     if (!job.chosen.is_null()) report["choice"] = job.chosen;
     report["texels"] = {job.texels.width, job.texels.height};
     const ordered_json conversion = {{"what", description.source},
