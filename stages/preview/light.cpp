@@ -64,7 +64,7 @@ EnvironmentMap boxedDown(const EnvironmentMap& map) {
 class SummedMap {
   public:
     explicit SummedMap(const EnvironmentMap& map)
-        : map_(map), columns_(static_cast<std::size_t>(map.width) + 1) {
+        : columns_(static_cast<std::size_t>(map.width) + 1) {
         sums_.resize(columns_ * (static_cast<std::size_t>(map.height) + 1));
         for (int y = 0; y < map.height; ++y) {
             // Exact for the band of a row: 2 pi / width times the difference of sines.
@@ -95,7 +95,6 @@ class SummedMap {
     Sums& at(int x, int y) { return sums_[index(x, y)]; }
     const Sums& at(int x, int y) const { return sums_[index(x, y)]; }
 
-    const EnvironmentMap& map_;
     std::size_t columns_;
     std::vector<Sums> sums_;
 };
