@@ -52,6 +52,8 @@ ReturnToService=2
 KillWait=2
 JobRequeue=1
 CONF
+    # Containers often have no control groups; this plugin starts without them.
+    echo "CgroupPlugin=cgroup/v1" > "$folder/cgroup.conf"
     for ((i = 1; i <= nodes; ++i)); do
         echo "NodeName=n$i NodeHostname=$host NodeAddr=127.0.0.1 Port=$(free_port) CPUs=1 RealMemory=4000" >> "$SLURM_CONF"
         mkdir -p "$folder/spool-n$i"
@@ -71,7 +73,13 @@ case $command in
             --seed-file="$folder/munge/seed"
         write_config
         slurmctld -c
-        for ((i = 1; i <= nodes; ++i)); do slurmd -N "n$i"; done
+        for ((i = 1; i <= nodes; ++i)); do
+            if ! slurmd -N "n$i"; then
+                echo "skipped: slurmd does not start on this host:"
+                tail -n 3 "$folder/slurmd-n$i.log"
+                exit 77
+            fi
+        done
         for ((try = 0; try < 200; ++try)); do
             if [ "$(sinfo -h -t idle -o %D 2> /dev/null)" = "$nodes" ]; then exit 0; fi
             sleep 0.1
