@@ -241,6 +241,33 @@ ordered_json countsOf(const ValueCounts& counts, std::uint64_t dimmed) {
             {"outside", counts.outside},     {"dimmed", dimmed}};
 }
 
+struct RunSeconds {
+    double read = 0;
+    double total = 0;
+};
+
+ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options,
+                      const MemoryPlan& memory, const Written& written, const std::string& remark,
+                      RunSeconds seconds) {
+    ordered_json report = reportOf(job, options);
+    report["counts"] = countsOf(written.counts, written.dimmed);
+    if (!remark.empty()) report["remark"] = remark;
+    // Tiles are made while others are written: what remains beside reading and writing.
+    report["time"] = {
+        {"read", seconds.read - job.found.seconds},
+        {"align", job.found.seconds},
+        {"reconstruct", std::max(0.0, seconds.total - seconds.read - written.writeSeconds)},
+        {"write", written.writeSeconds},
+        {"total", seconds.total}};
+    report["peak_memory"] = peakMemory();
+    report["scratch_bytes"] = memory.scratchBytes;
+    if (written.resumedTiles > 0) report["resumed_tiles"] = written.resumedTiles;
+    report["output"] = {{"path", options.output.string()},
+                        {"bytes", written.bytes},
+                        {"pixel", nameOf(written.type)}};
+    return report;
+}
+
 }  // namespace
 
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
@@ -287,23 +314,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         written.type = made.type;
         written.bytes = made.bytes;
     }
-    ordered_json report = reportOf(job, options);
-    report["counts"] = countsOf(written.counts, written.dimmed);
-    if (!remark.empty()) report["remark"] = remark;
-    const double total = secondsSince(start);
-    // Tiles are made while others are written: what remains beside reading and writing.
-    report["time"] = {{"read", readSeconds - job.found.seconds},
-                      {"align", job.found.seconds},
-                      {"reconstruct", std::max(0.0, total - readSeconds - written.writeSeconds)},
-                      {"write", written.writeSeconds},
-                      {"total", total}};
-    report["peak_memory"] = peakMemory();
-    report["scratch_bytes"] = memory.scratchBytes;
-    if (written.resumedTiles > 0) report["resumed_tiles"] = written.resumedTiles;
-    report["output"] = {{"path", options.output.string()},
-                        {"bytes", written.bytes},
-                        {"pixel", nameOf(written.type)}};
-    return report;
+    return reportOf(job, options, memory, written, remark, {readSeconds, secondsSince(start)});
 }
 
 }  // namespace abrdf
