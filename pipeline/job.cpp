@@ -4,6 +4,7 @@
 #include "abrdf/content_hash.h"
 #include "abrdf/flow.h"
 #include "abrdf/for_each_texel.h"
+#include "abrdf/mean_color.h"
 #include "stages/average/average_image.h"
 #include "stages/slice/choose_samples.h"
 
@@ -80,23 +81,6 @@ AveragedImage averageShifted(const EncodedImage& image, const Linearizer& linear
     averaged.outside = shiftImage(pixels, image.width, image.height, shift, edges, shifted);
     averageColors(shifted, image.width, image.height, texels.width, texels.height, result);
     return averaged;
-}
-
-/// The mean of an image's valid texels; NaN where there is none.
-Rgb meanOf(std::span<const Rgb> image) {
-    double sum[3] = {};
-    double count = 0;
-    for (const Rgb& c : image) {
-        if (!isFinite(c)) continue;
-        sum[0] += static_cast<double>(c.r);
-        sum[1] += static_cast<double>(c.g);
-        sum[2] += static_cast<double>(c.b);
-        ++count;
-    }
-    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-    if (count == 0) return {kNaN, kNaN, kNaN};
-    return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
-            static_cast<float>(sum[2] / count)};
 }
 
 /// A sample of a table as an image of one texel: NaN where it is no light.
@@ -250,7 +234,7 @@ ReadFacts readImages(const OpenedInput& input, const SampleSet& samples, Texels 
         std::vector<Rgb>& image = buffers[slot];
         image.resize(texels.count());
         readInto(i, image);
-        facts.means[i] = meanOf(image);
+        facts.means[i] = meanOfFinite(image);
         for (std::size_t t = 0; t < some.size(); ++t) {
             facts.someTexels[i * some.size() + t] = image[some[t]];
         }

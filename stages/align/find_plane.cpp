@@ -2,6 +2,7 @@
 #include "stages/align/find_plane.h"
 
 #include "abrdf/for_each_texel.h"
+#include "abrdf/mean_color.h"
 #include "stages/align/search_images.h"
 
 #include <algorithm>
@@ -50,18 +51,7 @@ Neighbours neighboursOf(const std::vector<LightAndView>& directions) {
 }
 
 void removeMean(std::span<Rgb> image) {
-    double sum[3] = {};
-    double count = 0;
-    for (const Rgb& c : image) {
-        if (!isFinite(c)) continue;
-        sum[0] += static_cast<double>(c.r);
-        sum[1] += static_cast<double>(c.g);
-        sum[2] += static_cast<double>(c.b);
-        ++count;
-    }
-    const double share = 1 / std::max(count, 1.0);
-    const Rgb mean{static_cast<float>(share * sum[0]), static_cast<float>(share * sum[1]),
-                   static_cast<float>(share * sum[2])};
+    const Rgb mean = meanOfFinite(image);
     for (Rgb& c : image) c = c - mean;
 }
 
