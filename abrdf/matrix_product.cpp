@@ -24,7 +24,8 @@ template <typename Number>
 struct Work {
     const Number* panels;
     std::size_t panelCount;
-    std::size_t columns;
+    std::size_t panelColumns;  ///< That a panel holds ...
+    std::size_t columns;       ///< ... and of which these are used, the first.
     const Number* vectors;
     std::size_t vectorCount;
     Number* result;
@@ -58,7 +59,7 @@ template <typename Number, std::size_t kBytes, std::size_t kVectors>
     // Two columns of registers for doubles where floats have one: half the rows at once.
     constexpr std::size_t kRows = kPanel * sizeof(float) / sizeof(Number);
     for (std::size_t p = 0; p < w.panelCount; ++p) {
-        const Number* panel = w.panels + p * w.columns * kPanel;
+        const Number* panel = w.panels + p * w.panelColumns * kPanel;
         Number* result = w.result + p * kPanel;
         for (std::size_t row = 0; row < kPanel; row += kRows) {
             std::size_t v = 0;
@@ -130,12 +131,13 @@ BasicPackedMatrix<Number>::BasicPackedMatrix(const Eigen::MatrixX<Number>& matri
 }
 
 template <typename Number>
-void BasicPackedMatrix<Number>::multiply(std::span<const Number> vectors, std::size_t firstPanel,
-                                         std::size_t panelCount, Number* result,
-                                         std::size_t stride) const {
-    assert(columns_ > 0 && vectors.size() % columns_ == 0 && firstPanel + panelCount <= panels());
+void BasicPackedMatrix<Number>::multiplyFirst(std::size_t columns, std::span<const Number> vectors,
+                                              std::size_t firstPanel, std::size_t panelCount,
+                                              Number* result, std::size_t stride) const {
+    assert(columns > 0 && columns <= columns_ && vectors.size() % columns == 0 &&
+           firstPanel + panelCount <= panels());
     multiplyFastest<Number>({values_.data() + firstPanel * columns_ * kPanel, panelCount, columns_,
-                             vectors.data(), vectors.size() / columns_, result, stride});
+                             columns, vectors.data(), vectors.size() / columns, result, stride});
 }
 
 template class BasicPackedMatrix<float>;

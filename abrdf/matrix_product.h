@@ -31,7 +31,18 @@ class BasicPackedMatrix {
     /// past the last are 0) and all vectors, which stand one after the other, columns() values
     /// each.
     void multiply(std::span<const Number> vectors, std::size_t firstPanel, std::size_t panels,
-                  Number* result, std::size_t stride) const;
+                  Number* result, std::size_t stride) const {
+        multiplyFirst(columns_, vectors, firstPanel, panels, result, stride);
+    }
+
+    /// The same of the first `columns` columns alone: that many values a vector, at least one.
+    void multiplyFirst(std::size_t columns, std::span<const Number> vectors, std::size_t firstPanel,
+                       std::size_t panels, Number* result, std::size_t stride) const;
+
+    /// One number.
+    Number at(std::size_t row, std::size_t column) const {
+        return values_[(row / kPanel * columns_ + column) * kPanel + row % kPanel];
+    }
 
   private:
     std::size_t rows_ = 0;

@@ -3,6 +3,7 @@
 
 #include "abrdf/discrepancy_kernel.h"
 #include "abrdf/for_each_texel.h"
+#include "abrdf/pair_features.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -61,6 +62,7 @@ PriorModel withSamples(const PriorModel& model, const std::vector<std::size_t>& 
     PriorModel result;
     result.outputs = model.outputs;
     result.scaleFactor = model.scaleFactor;
+    result.errorScale = model.errorScale;
     for (const std::size_t k : kept) result.samples.push_back(model.samples[k]);
     for (const PriorClass& from : model.classes) {
         const PriorSpectrum& plain = from.spectra.front();
@@ -73,6 +75,28 @@ PriorModel withSamples(const PriorModel& model, const std::vector<std::size_t>& 
         to.cross = from.cross(Eigen::all, kept);
         to.spectra = spectraOf(covariance(kept, kept), from.materialClass, result.samples);
         result.classes.push_back(std::move(to));
+    }
+    return result;
+}
+
+PriorModel withOutputs(const PriorModel& model, const std::vector<std::size_t>& kept) {
+    PriorModel result;
+    result.samples = model.samples;
+    result.scaleFactor = model.scaleFactor;
+    result.errorScale = model.errorScale;
+    result.classes = model.classes;
+    for (const std::size_t k : kept) result.outputs.push_back(model.outputs[k]);
+    const std::vector<std::size_t> rowOf = isotropicPairs(model.outputs).rowOf;
+    const std::vector<std::size_t> keptRowOf = isotropicPairs(result.outputs).rowOf;
+    std::vector<std::size_t> isotropic;  // The first pair of each group names its row.
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        if (keptRowOf[i] == isotropic.size()) isotropic.push_back(rowOf[kept[i]]);
+    }
+    for (std::size_t c = 0; c < model.classes.size(); ++c) {
+        const PriorClass& from = model.classes[c];
+        const auto& rows = from.materialClass == MaterialClass::kIso ? isotropic : kept;
+        result.classes[c].outputMean = from.outputMean(rows);
+        result.classes[c].cross = from.cross(rows, Eigen::all);
     }
     return result;
 }

@@ -32,6 +32,13 @@ struct PriorClass {
     std::vector<PriorSpectrum> spectra;  ///< One for each discrepancy kernel.
 };
 
+/// How many times larger true errors are than what leaving out samples shows, at most in 95 % of
+/// random materials: of those that class iso explains, and of others. At exposure 1.
+struct ErrorScale {
+    double isotropic = 1;
+    double other = 1;
+};
+
 /// What the method `prior` has learned for given samples and outputs (design: estimator.md, 2).
 /// Class iso has a row for each distinct isotropic pair of the outputs, the others one a pair.
 struct PriorModel {
@@ -40,6 +47,7 @@ struct PriorModel {
     /// A material's scale is this times the mean of its largest samples (largestMean()).
     double scaleFactor = 1;
     std::vector<PriorClass> classes;
+    ErrorScale errorScale;
 };
 
 /// Mean of the largest max(1, round(0.04 n)) of n values, which may be reordered.
@@ -47,6 +55,9 @@ double largestMean(std::vector<double> values);
 
 /// The same model for the samples `kept` (ascending indices) alone, as when the others are missing.
 PriorModel withSamples(const PriorModel& model, const std::vector<std::size_t>& kept);
+
+/// The same model for the outputs `kept` (indices) alone: to look at a few of them.
+PriorModel withOutputs(const PriorModel& model, const std::vector<std::size_t>& kept);
 
 /// All spectra of a class from the covariance of its samples: no kernel, then each deviation with
 /// each length.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/prior_cache.h"
 
+#include "pipeline/error_scale.h"
 #include "stages/train/model_file.h"
 
 #include <fmt/format.h>
@@ -55,6 +56,14 @@ std::optional<fs::path> cacheFolder() {
     return {};
 }
 
+PriorModel trainedModel(const std::vector<LightAndView>& samples,
+                        const std::vector<LightAndView>& outputs, const TrainOptions& options,
+                        const ProgressSink& progress) {
+    PriorModel model = trainPrior(samples, outputs, options, progress);
+    model.errorScale = learnErrorScale(model, 1);
+    return model;
+}
+
 fs::path cachedModel(const fs::path& folder, const std::vector<LightAndView>& samples,
                      const std::vector<LightAndView>& outputs, const TrainOptions& options) {
     return folder / fmt::format("prior-{:016x}", modelKey(samples, outputs, options));
@@ -80,7 +89,8 @@ std::shared_ptr<const PriorModel> priorFor(const std::vector<LightAndView>& samp
             if (warn) warn(fmt::format("{} (training it again)", error.what()));
         }
     }
-    auto model = std::make_shared<PriorModel>(trainPrior(samples, outputs, source.train, progress));
+    auto model =
+        std::make_shared<PriorModel>(trainedModel(samples, outputs, source.train, progress));
     if (folder) {
         try {
             fs::create_directories(*folder);

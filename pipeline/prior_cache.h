@@ -21,6 +21,11 @@ struct PriorSource {
 /// $XDG_CACHE_HOME/abrdf, else ~/.cache/abrdf; nothing where neither is set.
 std::optional<std::filesystem::path> cacheFolder();
 
+/// trainPrior(), and how its errors are to be scaled.
+PriorModel trainedModel(const std::vector<LightAndView>& samples,
+                        const std::vector<LightAndView>& outputs, const TrainOptions& options,
+                        const ProgressSink& progress);
+
 /// The file in the cache for a model.
 std::filesystem::path cachedModel(const std::filesystem::path& folder,
                                   const std::vector<LightAndView>& samples,

@@ -35,7 +35,7 @@ nlohmann::ordered_json train(const TrainJob& job, const ProgressSink& progress,
         priorFor(samples.directions, outputs, {{}, job.options}, progress, warn);
         file = cachedModel(*folder, samples.directions, outputs, job.options);
     } else {
-        writeModel(file, trainPrior(samples.directions, outputs, job.options, progress));
+        writeModel(file, trainedModel(samples.directions, outputs, job.options, progress));
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return {{"command", "train"},

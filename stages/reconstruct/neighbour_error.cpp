@@ -35,13 +35,13 @@ std::vector<std::vector<SampleShare>> sharesOfOthers(const std::vector<LightAndV
 
 }  // namespace
 
-double neighbourError(const std::vector<LightAndView>& directions, std::span<const Rgb> samples,
-                      double exposure) {
-    if (samples.empty()) return 0;
+std::vector<float> neighbourErrors(const std::vector<LightAndView>& directions,
+                                   std::span<const Rgb> samples, double exposure) {
     const std::vector<std::vector<SampleShare>> shares = sharesOfOthers(directions);
     const auto e = static_cast<float>(exposure);
-    double sum = 0;
+    std::vector<float> errors;
     for (std::size_t first = 0; first < samples.size(); first += directions.size()) {
+        double sum = 0;
         for (std::size_t k = 0; k < directions.size(); ++k) {
             Rgb predicted;
             for (const SampleShare& share : shares[k]) {
@@ -50,8 +50,17 @@ double neighbourError(const std::vector<LightAndView>& directions, std::span<con
             sum += deltaE76(labFromLinearRec709(e * predicted),
                             labFromLinearRec709(e * samples[first + k]));
         }
+        errors.push_back(static_cast<float>(sum / static_cast<double>(directions.size())));
     }
-    return sum / static_cast<double>(samples.size());
+    return errors;
+}
+
+double neighbourError(const std::vector<LightAndView>& directions, std::span<const Rgb> samples,
+                      double exposure) {
+    const std::vector<float> errors = neighbourErrors(directions, samples, exposure);
+    double sum = 0;
+    for (const float error : errors) sum += static_cast<double>(error);
+    return errors.empty() ? 0 : sum / static_cast<double>(errors.size());
 }
 
 }  // namespace abrdf

@@ -75,6 +75,23 @@ class Prior : public Reconstructor {
         }
     }
 
+    bool knowsError() const override { return !options_.perTexel; }
+
+    void reconstructKnowing(std::span<const Rgb> samples, std::span<Rgb> abrdfs,
+                            std::span<float> deltaE) const override {
+        if (options_.perTexel) {
+            Reconstructor::reconstructKnowing(samples, abrdfs, deltaE);
+            return;
+        }
+        if (fallback_) {
+            reconstruct(samples, abrdfs);
+            std::ranges::copy(neighbourErrors(model_->samples, samples, options_.exposure),
+                              deltaE.begin());
+            return;
+        }
+        material_.model().evaluate(material_.encode(samples, deltaE), abrdfs);
+    }
+
     std::size_t texelsAtOnce() const override { return options_.perTexel ? 1 : 32; }
     double multiplyAdds() const override {
         return fallback_ ? fallback_->multiplyAdds() : material_.multiplyAdds();

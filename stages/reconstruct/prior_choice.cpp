@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <utility>
 
 namespace abrdf {
 
@@ -101,15 +100,6 @@ Fit fitOf(const PriorModel& model, const PriorTerm& term, const Eigen::MatrixXd&
                    along.cwiseProduct(weighted).sum() / static_cast<double>(z.cols()))};
 }
 
-bool lieOnSlices(const std::vector<LightAndView>& samples) {
-    std::set<std::pair<long, long>> subspaces;
-    for (const LightAndView& s : samples) {
-        subspaces.emplace(std::lround(10 * degreesFromRadians(s.light.theta)),
-                          std::lround(10 * degreesFromRadians(s.view.theta)));
-    }
-    return subspaces.size() <= kSliceSubspaces;
-}
-
 /// Shares of the fits in the mixture that grows by the member with which the residuals, averaged,
 /// are least in lightness.
 std::vector<double> grownShares(const std::vector<Fit>& fits, const ChoiceTexels& texels) {
@@ -158,6 +148,27 @@ std::vector<PriorTerm> weighted(std::vector<PriorTerm> terms, const std::vector<
 }
 
 }  // namespace
+
+double isotropicShare(const PriorModel& model, const std::vector<PriorTerm>& terms) {
+    double share = 0;
+    for (const PriorTerm& term : terms) {
+        const bool isIso =
+            term.isLambert || model.classes[term.classIndex].materialClass == MaterialClass::kIso;
+        share += isIso ? term.weight : 0;
+    }
+    return share;
+}
+
+std::pair<long, long> subspaceOf(const LightAndView& sample) {
+    return {std::lround(10 * degreesFromRadians(sample.light.theta)),
+            std::lround(10 * degreesFromRadians(sample.view.theta))};
+}
+
+bool lieOnSlices(const std::vector<LightAndView>& samples) {
+    std::set<std::pair<long, long>> subspaces;
+    for (const LightAndView& s : samples) subspaces.insert(subspaceOf(s));
+    return subspaces.size() <= kSliceSubspaces;
+}
 
 Eigen::VectorXd lambertLogs(const std::vector<LightAndView>& pairs) {
     Eigen::VectorXd logs(static_cast<Eigen::Index>(pairs.size()));

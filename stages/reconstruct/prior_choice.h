@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace abrdf {
@@ -19,12 +20,21 @@ struct PriorTerm {
     double weight = 0;
 };
 
+/// The share of class iso and Lambert's law in a mixture, 0 .. 1.
+double isotropicShare(const PriorModel& model, const std::vector<PriorTerm>& terms);
+
 /// Samples of one channel as the model sees them.
 struct LogSamples {
     double scale = 0;   ///< Of the material; 0 where all samples are black.
     Eigen::VectorXd z;  ///< ln(value / scale + floor).
 };
 LogSamples logSamples(const PriorModel& model, const Eigen::VectorXd& values);
+
+/// (theta_i, theta_v) in tenths of a degree.
+std::pair<long, long> subspaceOf(const LightAndView& sample);
+
+/// True where the samples share so few subspaces (theta_i, theta_v) that they lie on slices.
+bool lieOnSlices(const std::vector<LightAndView>& samples);
 
 /// ln(cos(theta_i)) of each pair: what a Lambertian varies with.
 Eigen::VectorXd lambertLogs(const std::vector<LightAndView>& pairs);

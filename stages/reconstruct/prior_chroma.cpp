@@ -156,8 +156,18 @@ void ChromaKriging::mix(std::vector<Member> members) {
             leaveOneOut_[t] += weight(member) / sum * member.leaveOneOut[t];
         }
         inverse += weight(member) / sum * member.inverse;
+        weights_.push_back(weight(member) / sum);
+        inverses_.push_back(member.inverse);
     }
     covariance_ = inverse.llt().solve(Eigen::MatrixXd::Identity(n, n));
+}
+
+Eigen::MatrixXd ChromaKriging::leaveOut(const SampleBlocks& blocks) const {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(features_.rows(), features_.rows());
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+        matrix += weights_[i] * leaveOutMatrix(inverses_[i], blocks);
+    }
+    return matrix;
 }
 
 /// Exponential of reach 6; Matern 3/2 of reach 0.8 and 1.6.

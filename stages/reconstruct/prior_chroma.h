@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abrdf/direction.h"
+#include "stages/reconstruct/leave_out.h"
 
 #include <Eigen/Core>
 
@@ -36,6 +37,9 @@ class ChromaKriging {
     /// The chroma of each texel's samples, predicted from the others.
     const std::vector<Eigen::MatrixX3d>& leaveOneOut() const { return leaveOneOut_; }
 
+    /// What leaveOutMatrix() makes of each kernel, mixed: of chroma about its mean.
+    Eigen::MatrixXd leaveOut(const SampleBlocks& blocks) const;
+
     /// The mixture's covariance of the samples, noise included.
     const Eigen::MatrixXd& covariance() const { return covariance_; }
 
@@ -66,6 +70,8 @@ class ChromaKriging {
     Eigen::MatrixXd features_;
     std::vector<Eigen::MatrixXd> ofShape_;  ///< What each shape's kernel is multiplied with.
     Eigen::MatrixXd ofVectors_;             ///< The same of unit vectors; empty where unused.
+    std::vector<double> weights_;           ///< Of the mixture's members, all sum to 1 ...
+    std::vector<Eigen::MatrixXd> inverses_;  ///< ... and the inverses of their covariances.
     Eigen::MatrixXd covariance_;
     std::vector<Eigen::MatrixX3d> leaveOneOut_;
 };

@@ -3,29 +3,21 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/pair_features.h"
-#include "abrdf/portable_math.h"
 #include "color/delta_e.h"
+#include "stages/reconstruct/leave_out.h"
+#include "stages/reconstruct/low_rank.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace abrdf {
 
 namespace {
 
-constexpr auto kFloor = static_cast<float>(kPriorFloor);
-constexpr double kLeastChannel = 0.03;  ///< Of the luminance: exact zeros of a channel are noise.
-constexpr float kLeastScale = 1e-30F;   ///< Of a channel that is not black.
 constexpr std::array kBlends = {0.0F, 0.25F, 0.5F, 0.75F, 1.0F};
-
-Eigen::MatrixX3d matrixOf(std::span<const Rgb> colors) {
-    Eigen::MatrixX3d matrix(static_cast<Eigen::Index>(colors.size()), 3);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        matrix.row(static_cast<Eigen::Index>(i)) << static_cast<double>(colors[i].r),
-            static_cast<double>(colors[i].g), static_cast<double>(colors[i].b);
-    }
-    return matrix;
-}
+constexpr std::array kLadder = {int{kConstantRank}, int{kIsotropicRank}, 4, 8, 16, 32, 64};
 
 /// A column a texel.
 Eigen::MatrixXd luminancesOf(const std::vector<Eigen::MatrixX3d>& texels) {
@@ -34,11 +26,6 @@ Eigen::MatrixXd luminancesOf(const std::vector<Eigen::MatrixX3d>& texels) {
         luminances.col(static_cast<Eigen::Index>(t)) = texels[t].rowwise().sum() / 3;
     }
     return luminances;
-}
-
-/// Samples of channel c with the floor that keeps zeros from being outliers of logarithms.
-Eigen::VectorXd channelSamples(const Eigen::MatrixX3d& colors, Eigen::Index c) {
-    return colors.col(c).cwiseMax(kLeastChannel / 3 * colors.rowwise().sum());
 }
 
 /// How a material's texels are expected to vary about its mean, in logarithms: as random materials
@@ -56,61 +43,51 @@ Eigen::MatrixXd covarianceOf(const PriorModel& model, const std::vector<PriorTer
     return sum;
 }
 
+/// True errors beside left-out ones, between the two kinds of materials as the mixture is.
+double errorScaleOf(const PriorModel& model, const std::vector<PriorTerm>& terms) {
+    const double isotropic = isotropicShare(model, terms);
+    return std::pow(model.errorScale.isotropic, isotropic) *
+           std::pow(model.errorScale.other, 1 - isotropic);
+}
+
+/// The mean luminance of the material at the outputs, from its logarithms there.
+Eigen::VectorXd luminanceFromLogs(const std::vector<float>& x, float cap, double scale) {
+    Eigen::VectorXd luminance(static_cast<Eigen::Index>(x.size()));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        luminance(static_cast<Eigen::Index>(i)) =
+            scale *
+            std::max(std::exp(static_cast<double>(std::min(x[i], cap))) - kPriorFloor, 0.0);
+    }
+    return luminance;
+}
+
+/// What a map makes of a centre.
+std::vector<float> mapped(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& center) {
+    const Eigen::VectorXf output = matrix * center;
+    return {output.data(), output.data() + output.size()};
+}
+
 }  // namespace
 
 PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_t> rowOf,
                              std::span<const Rgb> mean, const ReconstructOptions& options,
-                             std::span<const Rgb> texels)
-    : scaleFactor_(model.scaleFactor),
-      sampleCount_(model.samples.size()),
-      cap_(static_cast<float>(std::log(3 / model.scaleFactor) + 0.7)),
-      rowOf_(rowOf.begin(), rowOf.end()) {
+                             std::span<const Rgb> texels) {
     Eigen::MatrixX3d colors = matrixOf(mean);
     const std::vector<Eigen::MatrixX3d> chosenBy = chooseModels(model, colors, texels, options);
-    const Eigen::VectorXd luminance = colors.rowwise().sum() / 3;
-    const double shown = choiceExposure(luminancesOf(chosenBy).reshaped());
-    shownExposure_ = shown;
-    const ChromaKriging kriging(model.samples, colors, chosenBy, shown);
-    const PairGroups isotropic = isotropicPairs(model.outputs);
-    const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
-    const std::vector<LightAndView>& outputs = fewRows ? isotropic.distinct : model.outputs;
-    for (std::size_t& row : rowOf_) row = fewRows ? isotropic.rowOf[row] : row;
-    rowsArePairs_ = rowOf_.size() == outputs.size();
-    for (std::size_t i = 0; i < rowOf_.size(); ++i) rowsArePairs_ = rowsArePairs_ && rowOf_[i] == i;
-
-    const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
-    luminance_ = LowRankMatrix(map.matrix, covarianceOf(model, terms_), options.rank);
-    centerLogs(map, colors);
-    chooseBlend(model, chosenBy, shown, kriging.leaveOneOut());
-    // The material's own luminance at the outputs is a feature of its chroma.
-    const std::vector<float>& x = logCenters_[0].output;
-    Eigen::VectorXd atOutputs(static_cast<Eigen::Index>(x.size()));
-    const double scale =
-        scaleFactor_ * largestMean({luminance.data(), luminance.data() + luminance.size()});
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        atOutputs(static_cast<Eigen::Index>(i)) =
-            scale *
-            std::max(std::exp(static_cast<double>(std::min(x[i], cap_))) - kPriorFloor, 0.0);
+    shownExposure_ = choiceExposure(luminancesOf(chosenBy).reshaped());
+    const ChromaKriging kriging(model.samples, colors, chosenBy, shownExposure_);
+    rule_.floor = static_cast<float>(kPriorFloor);
+    // ln of the largest value relative to the scale: three times the largest samples, and a little
+    // room for a highlight between them.
+    rule_.cap = static_cast<float>(std::log(3 / model.scaleFactor) + 0.7);
+    rule_.blend = chosenBlend(model, chosenBy, shownExposure_, kriging.leaveOneOut());
+    PriorEncoder::Centers centers = PriorEncoder::centersOf(colors, model.scaleFactor);
+    if (!options.centered) {
+        for (Eigen::VectorXf& center : centers.logs) center.setZero();
+        for (Eigen::VectorXf& center : centers.chroma) center.setZero();
     }
-    const Eigen::MatrixXf matrix = kriging.outputMatrix(outputs, atOutputs);
-    chroma_ = LowRankMatrix(matrix, kriging.covariance(), options.rank);
-    const Eigen::MatrixX3d chroma = chromaOf(colors);
-    for (std::size_t c = 0; c < chromaCenters_.size(); ++c) {
-        const Eigen::VectorXf own = chroma.col(static_cast<Eigen::Index>(c)).cast<float>();
-        chromaCenters_[c] = centered(matrix, own.array() - own.mean());
-    }
-    if (!options.centered) uncenter(map);
-}
-
-void PriorMaterial::uncenter(const PriorMap& map) {
-    for (Center& center : logCenters_) {
-        std::ranges::fill(center.input, 0.0F);
-        std::ranges::copy(map.offset, center.output.begin());
-    }
-    for (Center& center : chromaCenters_) {
-        std::ranges::fill(center.input, 0.0F);
-        std::ranges::fill(center.output, 0.0F);
-    }
+    encoder_ = PriorEncoder(model.scaleFactor, std::move(centers), rule_, censored_);
+    buildModel(model, kriging, wholeMaps(model, rowOf, colors, kriging), options);
 }
 
 /// Terms, and what restores clipped samples: of `colors` too, and of the texels that are returned.
@@ -119,8 +96,9 @@ std::vector<Eigen::MatrixX3d> PriorMaterial::chooseModels(const PriorModel& mode
                                                           std::span<const Rgb> texels,
                                                           const ReconstructOptions& options) {
     std::vector<Eigen::MatrixX3d> chosenBy;
-    for (std::size_t first = 0; first < texels.size(); first += sampleCount_) {
-        chosenBy.push_back(matrixOf(texels.subspan(first, sampleCount_)));
+    const auto mean = static_cast<std::size_t>(colors.rows());
+    for (std::size_t first = 0; first < texels.size(); first += mean) {
+        chosenBy.push_back(matrixOf(texels.subspan(first, mean)));
     }
     if (chosenBy.empty()) chosenBy = {colors};
     terms_ = chooseTerms(model, luminancesOf(chosenBy), options.noise);
@@ -134,36 +112,11 @@ std::vector<Eigen::MatrixX3d> PriorMaterial::chooseModels(const PriorModel& mode
     return chosenBy;
 }
 
-void PriorMaterial::centerLogs(const PriorMap& map, const Eigen::MatrixX3d& colors) {
-    for (std::size_t i = 0; i < logCenters_.size(); ++i) {
-        const Eigen::VectorXd values =
-            i == 0 ? Eigen::VectorXd(colors.rowwise().sum() / 3)
-                   : channelSamples(colors, static_cast<Eigen::Index>(i) - 1);
-        Eigen::VectorXf z = Eigen::VectorXf::Zero(values.size());
-        const double scale =
-            scaleFactor_ * largestMean({values.data(), values.data() + values.size()});
-        if (scale > 0) {
-            z = (values.array().max(0.0) / scale + kPriorFloor).log().cast<float>();
-        }
-        logCenters_[i] = centered(map.matrix, z);
-        for (std::size_t row = 0; row < logCenters_[i].output.size(); ++row) {
-            logCenters_[i].output[row] += map.offset(static_cast<Eigen::Index>(row));
-        }
-    }
-}
-
-PriorMaterial::Center PriorMaterial::centered(const Eigen::MatrixXf& matrix,
-                                              const Eigen::VectorXf& input) {
-    const Eigen::VectorXf output = matrix * input;
-    return {{input.data(), input.data() + input.size()},
-            {output.data(), output.data() + output.size()}};
-}
-
 /// Chroma by kriging and chroma of channels that are estimated like luminance: the blend by which
 /// the samples predict one another best.
-void PriorMaterial::chooseBlend(const PriorModel& model,
-                                const std::vector<Eigen::MatrixX3d>& texels, double shown,
-                                const std::vector<Eigen::MatrixX3d>& kriged) {
+float PriorMaterial::chosenBlend(const PriorModel& model,
+                                 const std::vector<Eigen::MatrixX3d>& texels, double shown,
+                                 const std::vector<Eigen::MatrixX3d>& kriged) {
     std::vector<Eigen::MatrixX3d> ofChannels(texels.size());
     std::vector<Eigen::VectorXd> predicted(texels.size());
     forEachImage(texels.size(), [&](std::size_t t) {
@@ -179,6 +132,7 @@ void PriorMaterial::chooseBlend(const PriorModel& model,
         return Eigen::MatrixX3d((1 - share) * kriged[t] + share * ofChannels[t]);
     };
     double best = -1;
+    float chosen = 0;
     for (const float blend : kBlends) {
         double error = 0;
         for (std::size_t t = 0; t < texels.size(); ++t) {
@@ -189,140 +143,200 @@ void PriorMaterial::chooseBlend(const PriorModel& model,
         error /= static_cast<double>(texels.size());
         if (best >= 0 && error >= best - 1e-9) continue;
         best = error;
-        blend_ = blend;
+        chosen = blend;
     }
     leaveOneOutError_ = 0;
     for (std::size_t t = 0; t < texels.size(); ++t) {
-        leaveOneOutError_ += meanDeltaE(chroma(t, static_cast<double>(blend_)).array().colwise() *
+        leaveOneOutError_ += meanDeltaE(chroma(t, static_cast<double>(chosen)).array().colwise() *
                                             predicted[t].array(),
                                         texels[t], shown) /
                              static_cast<double>(texels.size());
     }
+    return chosen;
 }
 
-void PriorMaterial::addTexel(std::span<const Rgb> samples, Inputs& inputs) const {
-    const Eigen::MatrixX3d measured = matrixOf(samples);
-    const Eigen::MatrixX3d colors = censored_ ? censored_->restored(measured) : measured;
-    TexelScale scale;
-    const auto addLogs = [&](const Eigen::VectorXd& values, std::size_t which) {
-        std::vector<float>& logs = inputs.logs[which];
-        const float* center = logCenters_[which].input.data();
-        const double s = scaleFactor_ * largestMean({values.data(), values.data() + values.size()});
-        const auto inverse = static_cast<float>(s > 0 ? 1 / s : 0);
-        for (const double value : values) {
-            const float relative = std::max(static_cast<float>(value) * inverse, 0.0F);
-            logs.push_back(portable::log(relative + kFloor) - *center++);
+PriorMaterial::Whole PriorMaterial::wholeMaps(const PriorModel& model,
+                                              std::span<const std::size_t> rowOf,
+                                              const Eigen::MatrixX3d& colors,
+                                              const ChromaKriging& kriging) const {
+    Whole whole;
+    const PairGroups isotropic = isotropicPairs(model.outputs);
+    const bool fewRows = isIsotropic(model, terms_) && !kriging.isAnisotropic();
+    const std::vector<LightAndView>& outputs = fewRows ? isotropic.distinct : model.outputs;
+    for (const std::size_t row : rowOf) {
+        whole.rowOf.push_back(fewRows ? isotropic.rowOf[row] : row);
+        whole.pairs.push_back(model.outputs[row]);
+    }
+    PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
+    const auto logsOf = [&](const Eigen::VectorXf& z) {
+        std::vector<float> x = mapped(map.matrix, z);
+        for (std::size_t row = 0; row < x.size(); ++row) {
+            x[row] += map.offset(static_cast<Eigen::Index>(row));
         }
-        return static_cast<float>(s);
+        return x;
     };
-    scale.luminance = addLogs(colors.rowwise().sum() / 3, 0);
-    const Eigen::MatrixX3d chroma = chromaOf(colors);
-    const Eigen::RowVector3d mean = chroma.colwise().mean();
-    std::array<float, 3> channel{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        const auto column = static_cast<Eigen::Index>(c);
-        if (blend_ > 0) channel[c] = addLogs(channelSamples(colors, column), c + 1);
-        channel[c] = colors.col(column).maxCoeff() > 0 ? std::max(channel[c], kLeastScale) : 0;
-        if (c == 2) break;
-        scale.meanChroma[c] = static_cast<float>(mean(column));
-        for (Eigen::Index i = 0; i < chroma.rows(); ++i) {
-            inputs.chroma[c].push_back(static_cast<float>(chroma(i, column) - mean(column)) -
-                                       chromaCenters_[c].input[static_cast<std::size_t>(i)]);
+    const PriorEncoder::Centers& centers = encoder_.centers();
+    for (std::size_t i = 0; i < rule_.logVectors(); ++i) {
+        whole.centers.logCenters[i] = logsOf(centers.logs[i]);
+    }
+    // The material's own luminance at the outputs is a feature of its chroma.
+    const LogSamples own = logSamples(model, colors.rowwise().sum() / 3);
+    Eigen::VectorXf z = Eigen::VectorXf::Zero(colors.rows());
+    if (own.scale > 0) z = own.z.cast<float>();
+    whole.chroma =
+        kriging.outputMatrix(outputs, luminanceFromLogs(logsOf(z), rule_.cap, own.scale));
+    whole.luminance = std::move(map.matrix);
+    for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) {
+        whole.centers.chromaCenters[c] = mapped(whole.chroma, centers.chroma[c]);
+    }
+    return whole;
+}
+
+/// Predictions are maps like all others: x = z - (R z - r), with z = centre + vector.
+TexelModel PriorMaterial::leaveOutModel(const PriorModel& model,
+                                        const ChromaKriging& kriging) const {
+    const SampleBlocks blocks = leaveOutBlocks(model.samples);
+    const LeaveOutMap logs = leaveOutMap(model, terms_, blocks);
+    const auto n = static_cast<Eigen::Index>(model.samples.size());
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
+    const Eigen::MatrixXd luminance = identity - logs.matrix;
+    const Eigen::MatrixXd chroma = identity - kriging.leaveOut(blocks);
+    const auto numbers = [](const Eigen::VectorXd& values) {
+        const Eigen::VectorXf floats = values.cast<float>();
+        return std::vector<float>(floats.data(), floats.data() + floats.size());
+    };
+    TexelBasis basis;
+    basis.luminance = PackedMatrix(luminance.cast<float>());
+    basis.chroma = PackedMatrix(chroma.cast<float>());
+    const PriorEncoder::Centers& centers = encoder_.centers();
+    for (std::size_t i = 0; i < rule_.logVectors(); ++i) {
+        basis.logCenters[i] = numbers(luminance * centers.logs[i].cast<double>() + logs.offset);
+    }
+    for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) {
+        basis.chromaCenters[c] = numbers(chroma * centers.chroma[c].cast<double>());
+    }
+    std::vector<std::size_t> own(model.samples.size());
+    std::iota(own.begin(), own.end(), std::size_t{0});
+    return {std::move(basis), rule_, std::move(own), model.samples};
+}
+
+void PriorMaterial::buildModel(const PriorModel& model, const ChromaKriging& kriging, Whole whole,
+                               const ReconstructOptions& options) {
+    const auto samples = static_cast<int>(model.samples.size());
+    const int most = options.rank > 0 ? std::min(options.rank, samples) : samples;
+    const bool hasSteps = options.tolerance > 0;
+    LadderParts parts;
+    parts.leaveOut = leaveOutModel(model, kriging);
+    parts.exposure = static_cast<float>(options.exposure);
+    parts.errorScale = static_cast<float>(errorScaleOf(model, terms_));
+    parts.tolerance = static_cast<float>(options.tolerance);
+    for (const LightAndView& sample : model.samples) {
+        parts.sampleCosines.push_back(std::cos(sample.light.theta));
+    }
+    for (const int rank : kLadder) {
+        if (hasSteps && rank < most) parts.ranks.push_back(static_cast<std::uint16_t>(rank));
+    }
+    parts.ranks.push_back(static_cast<std::uint16_t>(most));
+
+    TexelBasis basis = whole.centers;
+    const bool staysWhole = most == samples && !hasSteps && !options.nested;
+    if (staysWhole) {
+        basis.luminance = PackedMatrix(whole.luminance);
+        basis.chroma = PackedMatrix(whole.chroma);
+        model_ = TexelModel(std::move(basis), rule_, std::move(whole.rowOf), whole.pairs);
+    } else {
+        const std::vector<std::size_t> probes = probesOf(whole.pairs.size());
+        const NestedBasis luminance =
+            nestedBasis(whole.luminance, covarianceOf(model, terms_), most);
+        const NestedBasis chroma = nestedBasis(whole.chroma, kriging.covariance(), most);
+        basis.luminance = PackedMatrix(luminance.basis);
+        basis.chroma = PackedMatrix(chroma.basis);
+        luminanceProjection_ = PackedMatrix(luminance.projection);
+        chromaProjection_ = PackedMatrix(chroma.projection);
+        TexelBasis wholeBasis = whole.centers;
+        wholeBasis.luminance = PackedMatrix(whole.luminance);
+        wholeBasis.chroma = PackedMatrix(whole.chroma);
+        parts.wholeProbes = TexelModel(std::move(wholeBasis), rule_, whole.rowOf, whole.pairs)
+                                .restricted(probes);
+        model_ = TexelModel(std::move(basis), rule_, std::move(whole.rowOf), whole.pairs);
+        if (hasSteps && most > kIsotropicRank) model_.addIsotropic(whole.pairs);
+        parts.probes = model_.restricted(probes);
+    }
+    ladder_ = PriorLadder(std::move(parts));
+}
+
+TexelCodes PriorMaterial::projected(const TexelCodes& whole) const {
+    TexelCodes codes;
+    codes.stride = model_.columns();
+    codes.scales = whole.scales;
+    codes.ranks.assign(whole.count(), static_cast<std::uint16_t>(codes.stride));
+    const auto apply = [&](const PackedMatrix& projection, const std::vector<float>& from,
+                           std::vector<float>& to) {
+        const std::size_t padded = projection.panels() * PackedMatrix::kPanel;
+        std::vector<float> products(whole.count() * padded);
+        projection.multiply(from, 0, projection.panels(), products.data(), padded);
+        for (std::size_t t = 0; t < whole.count(); ++t) {
+            const auto begin = products.begin() + static_cast<std::ptrdiff_t>(t * padded);
+            to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(codes.stride));
         }
+    };
+    for (std::size_t i = 0; i < rule_.logVectors(); ++i) {
+        apply(luminanceProjection_, whole.logs[i], codes.logs[i]);
     }
-    scale.channel = {channel[0], channel[1], channel[2]};
-    inputs.scales.push_back(scale);
+    for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) {
+        apply(chromaProjection_, whole.chroma[c], codes.chroma[c]);
+    }
+    return codes;
 }
 
-/// Rows of some panels: x of each texel's luminance and channels, and its chroma about its mean.
-struct PriorMaterial::Products {
-    std::size_t stride = 0;
-    std::array<std::vector<float>, 4> logs;
-    std::array<std::vector<float>, 2> chroma;
-    std::size_t firstRow = 0;
-};
-
-void PriorMaterial::multiply(const Inputs& inputs, std::size_t firstPanel, std::size_t panels,
-                             Products& products) const {
-    products.stride = panels * PackedMatrix::kPanel;
-    products.firstRow = firstPanel * PackedMatrix::kPanel;
-    const auto apply = [&](const LowRankMatrix& matrix, const std::vector<float>& vectors,
-                           std::vector<float>& result) {
-        result.resize(inputs.scales.size() * products.stride);
-        matrix.multiply(vectors, firstPanel, panels, result.data(), products.stride);
-    };
-    for (std::size_t i = 0; i < (blend_ > 0 ? 4 : 1); ++i) {
-        apply(luminance_, inputs.logs[i], products.logs[i]);
+TexelCodes PriorMaterial::encode(std::span<const Rgb> samples, std::span<float> deltaE) const {
+    std::vector<Rgb> restored;
+    TexelCodes whole = encoder_.encode(samples, restored);
+    const bool isProjected = luminanceProjection_.columns() > 0;
+    const bool hasSteps = ladder_.ranks().size() > 1;
+    std::vector<float> errors(whole.count());
+    if (!isProjected) {
+        if (!deltaE.empty()) {
+            TexelCodes unused = whole;
+            ladder_.choose(whole, unused, restored, deltaE);
+        }
+        return whole;
     }
-    for (std::size_t c = 0; c < (blend_ < 1 ? 2 : 0); ++c) {
-        apply(chroma_, inputs.chroma[c], products.chroma[c]);
+    TexelCodes codes = projected(whole);
+    if (!deltaE.empty() || hasSteps) {
+        ladder_.choose(whole, codes, restored, deltaE.empty() ? std::span(errors) : deltaE);
     }
-}
-
-PriorRows PriorMaterial::rowsOf(const Products& products, const TexelScale& scale,
-                                std::size_t texel) const {
-    PriorRows rows;
-    const auto pieceOf = [&](const std::vector<float>& product) {
-        return product.empty() ? nullptr : product.data() + texel * products.stride;
-    };
-    for (std::size_t i = 0; i < rows.logs.size(); ++i) {
-        rows.logs[i] = pieceOf(products.logs[i]);
-        rows.logCenters[i] = logCenters_[i].output.data() + products.firstRow;
+    // What a rank leaves out is nothing.
+    for (std::size_t t = 0; t < codes.count() && hasSteps; ++t) {
+        const auto cut = [&](std::vector<float>& vectors) {
+            if (vectors.empty()) return;
+            const auto begin = vectors.begin() + static_cast<std::ptrdiff_t>(t * codes.stride);
+            std::fill(begin + codes.ranks[t], begin + static_cast<std::ptrdiff_t>(codes.stride),
+                      0.0F);
+        };
+        std::ranges::for_each(codes.logs, cut);
+        std::ranges::for_each(codes.chroma, cut);
     }
-    for (std::size_t c = 0; c < rows.chroma.size(); ++c) {
-        rows.chroma[c] = pieceOf(products.chroma[c]);
-        rows.chromaCenters[c] = chromaCenters_[c].output.data() + products.firstRow;
-    }
-    rows.meanChroma = scale.meanChroma;
-    rows.luminance = scale.luminance;
-    rows.channel = scale.channel;
-    rows.cap = cap_;
-    rows.floor = kFloor;
-    rows.blend = blend_;
-    return rows;
+    return codes;
 }
 
 void PriorMaterial::reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const {
-    Inputs inputs;
-    for (std::size_t first = 0; first < samples.size(); first += sampleCount_) {
-        addTexel(samples.subspan(first, sampleCount_), inputs);
-    }
-    for (std::vector<float>& logs : inputs.logs) logs = luminance_.reduced(logs);
-    for (std::vector<float>& chroma : inputs.chroma) chroma = chroma_.reduced(chroma);
+    model_.evaluate(encode(samples), abrdfs);
+}
 
-    const std::size_t texels = inputs.scales.size();
-    const std::size_t rows = luminance_.rows();
-    // Where each pair has a row of its own they are written in place.
-    std::vector<Rgb> shared(rowsArePairs_ ? 0 : texels * rows);
-    Rgb* colors = rowsArePairs_ ? abrdfs.data() : shared.data();
-    Products products;
-    constexpr std::size_t kPanels = 8;  // Their products stay in a core's own cache.
-    for (std::size_t panel = 0; panel < luminance_.panels(); panel += kPanels) {
-        multiply(inputs, panel, std::min(kPanels, luminance_.panels() - panel), products);
-        const std::size_t first = products.firstRow;
-        const std::size_t count = std::min(products.stride, rows - first);
-        for (std::size_t t = 0; t < texels; ++t) {
-            priorColors(rowsOf(products, inputs.scales[t], t), count, colors + t * rows + first);
-        }
-    }
-    const std::size_t pairs = rowOf_.size();
-    for (std::size_t t = 0; !rowsArePairs_ && t < texels; ++t) {
-        for (std::size_t i = 0; i < pairs; ++i) {
-            abrdfs[t * pairs + i] = shared[t * rows + rowOf_[i]];
-        }
-    }
+double PriorMaterial::projectionCost() const {
+    return static_cast<double>(
+        rule_.logVectors() * luminanceProjection_.rows() * luminanceProjection_.columns() +
+        rule_.chromaVectors() * chromaProjection_.rows() * chromaProjection_.columns());
 }
 
 double PriorMaterial::multiplyAdds() const {
-    return (blend_ > 0 ? 4 : 1) * luminance_.multiplyAdds() +
-           (blend_ < 1 ? 2 : 0) * chroma_.multiplyAdds();
+    return projectionCost() + model_.multiplyAdds(model_.columns());
 }
 
-double PriorMaterial::modelBytes() const {
-    const double vectors = (blend_ > 0 ? 4 : 1) * static_cast<double>(luminance_.vectorSize()) +
-                           (blend_ < 1 ? 2 : 0) * static_cast<double>(chroma_.vectorSize());
-    const double scales = blend_ > 0 ? 6 : 3;
-    return sizeof(float) * (vectors + scales);
+double PriorMaterial::multiplyAddsOfStep(std::size_t step) const {
+    return projectionCost() + ladder_.multiplyAdds(step) +
+           model_.multiplyAdds(ladder_.ranks()[step]);
 }
 
 }  // namespace abrdf

@@ -6,7 +6,9 @@
 #include "abrdf/sample_set.h"
 #include "abrdf/slice_plan.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,6 +25,10 @@ struct ReconstructOptions {
     /// Maps of low rank are exact for the material's mean: right for many texels that are alike,
     /// and no saving for one.
     bool centered = true;
+    /// Mean CIE 1976 Delta E that is good enough: each texel takes the smallest model whose
+    /// estimated error is within it. 0: the whole model.
+    double tolerance = 0;
+    bool nested = false;    ///< Texels as few numbers even at full rank, as model atlases hold them.
     bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
 };
 
@@ -50,6 +56,17 @@ class Reconstructor {
     /// grid, texel after texel. May leave negative values. What a texel becomes does not depend on
     /// its neighbours.
     virtual void reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const = 0;
+
+    /// Does it know how far its results may be from the truth?
+    virtual bool knowsError() const { return false; }
+
+    /// As reconstruct(); deltaE: one number a texel, a bound of the mean CIE 1976 Delta E of its
+    /// ABRDF at the options' exposure.
+    virtual void reconstructKnowing(std::span<const Rgb> samples, std::span<Rgb> abrdfs,
+                                    std::span<float> deltaE) const {
+        reconstruct(samples, abrdfs);
+        std::ranges::fill(deltaE, std::numeric_limits<float>::quiet_NaN());
+    }
 
     /// How many texels are best done together.
     virtual std::size_t texelsAtOnce() const { return 1; }

@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little,
 namespace {
 
 // The last number changes with the form of the file, or with what training makes of its options.
-constexpr char kMagic[16] = "abrdf prior 003";
+constexpr char kMagic[16] = "abrdf prior 004";
 
 /// Appends plain values and Eigen's arrays.
 class Bytes {
@@ -161,6 +161,8 @@ void writeModel(const std::filesystem::path& path, const PriorModel& model) {
     body.add(model.samples);
     body.add(model.outputs);
     body.add(model.scaleFactor);
+    body.add(model.errorScale.isotropic);
+    body.add(model.errorScale.other);
     body.add(static_cast<std::uint32_t>(model.classes.size()));
     for (const PriorClass& c : model.classes) addClass(c, body);
     Bytes head;
@@ -196,6 +198,8 @@ PriorModel readModel(const std::filesystem::path& path) {
     model.samples = reader.takePairs();
     model.outputs = reader.takePairs();
     model.scaleFactor = reader.take<double>();
+    model.errorScale.isotropic = reader.take<double>();
+    model.errorScale.other = reader.take<double>();
     const auto classes = reader.take<std::uint32_t>();
     if (model.samples.empty() || model.outputs.empty() || classes < 1 || classes > 64)
         reader.fail();

@@ -11,7 +11,7 @@ namespace abrdf {
 /// What the prior's products say of some rows (outputs) of one texel: log luminance, and chroma by
 /// kriging, by channels that are estimated like luminance, or a blend of both. A product gets its
 /// centre added. Pointers of a part without a share in the blend may be null.
-struct PriorRows {
+struct TexelRows {
     std::array<const float*, 4> logs{};  ///< Of luminance, R, G and B; a number a row.
     std::array<const float*, 4> logCenters{};
     std::array<const float*, 2> chroma{};  ///< Of R and G, about the samples' mean.
@@ -25,9 +25,9 @@ struct PriorRows {
 };
 
 /// The colours of `count` rows, with the widest registers of the processor; the same bits on each.
-void priorColors(const PriorRows& rows, std::size_t count, Rgb* colors);
+void texelColors(const TexelRows& rows, std::size_t count, Rgb* colors);
 
 /// One of them as the equations say it.
-Rgb slowPriorColor(const PriorRows& rows, std::size_t row);
+Rgb slowTexelColor(const TexelRows& rows, std::size_t row);
 
 }  // namespace abrdf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stages/reconstruct/prior_colors.h"
+#include "abrdf/texel_colors.h"
 
 #include "abrdf/portable_math.h"
 
@@ -29,7 +29,7 @@ struct Planes {
     float b[kPiece];
 };
 
-[[gnu::always_inline]] inline void lights(const PriorRows& rows, std::size_t which, float unit,
+[[gnu::always_inline]] inline void lights(const TexelRows& rows, std::size_t which, float unit,
                                           std::size_t first, std::size_t count, float* result) {
     const float* log = rows.logs[which] + first;
     const float* center = rows.logCenters[which] + first;
@@ -42,7 +42,7 @@ struct Planes {
 }
 
 /// Chroma that sums to 3, none of it negative; channels of scale 0 are black. Added to `sum`.
-[[gnu::always_inline]] inline void addNormalized(const PriorRows& rows, const Planes& chroma,
+[[gnu::always_inline]] inline void addNormalized(const TexelRows& rows, const Planes& chroma,
                                                  float share, std::size_t count, Planes& sum) {
     constexpr float kAny = std::numeric_limits<float>::max();
     const float mostR = rows.channel.r > 0 ? kAny : 0;
@@ -59,7 +59,7 @@ struct Planes {
     }
 }
 
-[[gnu::always_inline]] inline void kriged(const PriorRows& rows, std::size_t first,
+[[gnu::always_inline]] inline void kriged(const TexelRows& rows, std::size_t first,
                                           std::size_t count, Planes& chroma) {
     const float* r = rows.chroma[0] + first;
     const float* g = rows.chroma[1] + first;
@@ -73,7 +73,7 @@ struct Planes {
     }
 }
 
-[[gnu::always_inline]] inline void ofChannels(const PriorRows& rows, std::size_t first,
+[[gnu::always_inline]] inline void ofChannels(const TexelRows& rows, std::size_t first,
                                               std::size_t count, Planes& chroma) {
     lights(rows, 1, rows.channel.r, first, count, chroma.r);
     lights(rows, 2, rows.channel.g, first, count, chroma.g);
@@ -85,7 +85,7 @@ struct Planes {
     }
 }
 
-[[gnu::always_inline]] inline void allColors(const PriorRows& rows, std::size_t count,
+[[gnu::always_inline]] inline void allColors(const TexelRows& rows, std::size_t count,
                                              Rgb* colors) {
     Planes chroma;
     Planes sum;
@@ -109,15 +109,15 @@ struct Planes {
 }
 
 // The same loops for the registers that a processor has.
-[[gnu::target("avx512f,avx512bw,avx512vl,avx512dq")]] void colorsAvx512(const PriorRows& rows,
+[[gnu::target("avx512f,avx512bw,avx512vl,avx512dq")]] void colorsAvx512(const TexelRows& rows,
                                                                         std::size_t count,
                                                                         Rgb* colors) {
     allColors(rows, count, colors);
 }
-[[gnu::target("avx2")]] void colorsAvx2(const PriorRows& rows, std::size_t count, Rgb* colors) {
+[[gnu::target("avx2")]] void colorsAvx2(const TexelRows& rows, std::size_t count, Rgb* colors) {
     allColors(rows, count, colors);
 }
-void colorsPortable(const PriorRows& rows, std::size_t count, Rgb* colors) {
+void colorsPortable(const TexelRows& rows, std::size_t count, Rgb* colors) {
     allColors(rows, count, colors);
 }
 
@@ -135,14 +135,14 @@ Rgb slowNormalized(Rgb chroma, Rgb scale) {
 
 }  // namespace
 
-void priorColors(const PriorRows& rows, std::size_t count, Rgb* colors) {
+void texelColors(const TexelRows& rows, std::size_t count, Rgb* colors) {
     static const auto kColors = hasAvx512()                           ? colorsAvx512
                                 : __builtin_cpu_supports("avx2") != 0 ? colorsAvx2
                                                                       : colorsPortable;
     kColors(rows, count, colors);
 }
 
-Rgb slowPriorColor(const PriorRows& rows, std::size_t row) {
+Rgb slowTexelColor(const TexelRows& rows, std::size_t row) {
     const auto light = [&](std::size_t i, float unit) {
         const float x = std::min(rows.logs[i][row] + rows.logCenters[i][row], rows.cap);
         return std::max(portable::exp(x) - rows.floor, 0.0F) * unit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stages/reconstruct/prior_colors.h"
+#include "abrdf/texel_colors.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 struct Numbers {
     std::vector<std::vector<float>> lists;
-    PriorRows rows;
+    TexelRows rows;
 
     explicit Numbers(std::size_t count) {
         std::mt19937 random(11);
@@ -49,17 +49,17 @@ TEST_CASE("colours of many rows have the bits of one at a time, for every blend 
         Numbers numbers(count);
         for (const float blend : {0.0F, 0.25F, 0.5F, 1.0F}) {
             for (const Rgb channel : {Rgb{0.5F, 0.3F, 0.2F}, Rgb{0, 0.3F, 0.2F}, Rgb{}}) {
-                PriorRows rows = numbers.rows;
+                TexelRows rows = numbers.rows;
                 rows.blend = blend;
                 rows.channel = channel;
                 if (blend == 0) rows.logs[1] = rows.logs[2] = rows.logs[3] = nullptr;
                 if (blend == 1) rows.chroma = {};
                 std::vector<Rgb> colors(count + 1, Rgb{7, 7, 7});
-                priorColors(rows, count, colors.data());
+                texelColors(rows, count, colors.data());
                 CHECK(colors[count] == Rgb{7, 7, 7});
                 std::size_t wrong = 0;
                 for (std::size_t row = 0; row < count; ++row) {
-                    const Rgb slow = slowPriorColor(rows, row);
+                    const Rgb slow = slowTexelColor(rows, row);
                     wrong += std::memcmp(&slow, &colors[row], sizeof slow) == 0 ? 0U : 1U;
                     CHECK(colors[row].r >= 0);
                     if (channel.r == 0) CHECK(colors[row].r == 0);
@@ -73,7 +73,7 @@ TEST_CASE("colours of many rows have the bits of one at a time, for every blend 
 TEST_CASE("a colour's channels have the luminance of its logarithm in the mean") {
     Numbers numbers(300);
     std::vector<Rgb> colors(300);
-    priorColors(numbers.rows, colors.size(), colors.data());
+    texelColors(numbers.rows, colors.size(), colors.data());
     for (std::size_t i = 0; i < colors.size(); ++i) {
         const double x = std::min(1.7, static_cast<double>(numbers.lists[0][i]) +
                                            static_cast<double>(numbers.lists[4][i]));
