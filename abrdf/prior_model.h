@@ -33,11 +33,15 @@ struct PriorClass {
 };
 
 /// How many times larger true errors are than what leaving out samples shows, at most in 95 % of
-/// random materials: of those that class iso explains, and of others. At exposure 1.
+/// random materials: of those whose mixture is isotropic (kIsotropicShare), and of others. At
+/// exposure 1.
 struct ErrorScale {
     double isotropic = 1;
     double other = 1;
 };
+
+/// Of class iso and Lambert's law in the mixture of what counts as isotropic.
+inline constexpr double kIsotropicShare = 0.9;
 
 /// What the method `prior` has learned for given samples and outputs (design: estimator.md, 2).
 /// Class iso has a row for each distinct isotropic pair of the outputs, the others one a pair.

@@ -95,13 +95,18 @@ TexelModel::Part TexelModel::partOf(TexelBasis basis, std::vector<std::size_t> r
     return part;
 }
 
+void TexelModel::addSmall(TexelBasis small) {
+    assert(small.rows() == whole_.basis.rows());
+    small_ = partOf(std::move(small), whole_.rowOf);
+}
+
 void TexelModel::addIsotropic(std::span<const LightAndView> pairs) {
     const PairGroups twins = isotropicPairs(pairs);
     const std::size_t groups = twins.distinct.size();
-    const TexelBasis& basis = whole_.basis;
+    const TexelBasis& basis = small_ ? small_->basis : whole_.basis;
     std::vector<std::size_t> groupOf(basis.rows());
     for (std::size_t p = 0; p < pairs.size(); ++p) groupOf[whole_.rowOf[p]] = twins.rowOf[p];
-    const auto columns = std::min<std::size_t>(kIsotropicRank, this->columns());
+    const auto columns = std::min<std::size_t>(kIsotropicRank, basis.luminance.columns());
     TexelBasis means;
     means.luminance = PackedMatrix(groupMeans(basis.luminance, columns, groupOf, groups));
     means.chroma = PackedMatrix(groupMeans(basis.chroma, columns, groupOf, groups));
@@ -134,13 +139,15 @@ TexelModel TexelModel::restricted(std::span<const std::size_t> pairs) const {
     TexelModel result;
     result.rule_ = rule_;
     result.whole_ = restricted(whole_, pairs);
+    if (small_) result.small_ = restricted(*small_, pairs);
     if (isotropic_) result.isotropic_ = restricted(*isotropic_, pairs);
     for (const std::size_t pair : pairs) result.cosines_.push_back(cosines_[pair]);
     return result;
 }
 
 const TexelModel::Part& TexelModel::partOf(std::size_t rank) const {
-    return isotropic_ && rank == kIsotropicRank ? *isotropic_ : whole_;
+    if (isotropic_ && rank == kIsotropicRank) return *isotropic_;
+    return small_ && rank < columns() ? *small_ : whole_;
 }
 
 void TexelModel::evaluate(const TexelCodes& codes, std::span<Rgb> abrdfs) const {
@@ -256,8 +263,7 @@ Rgb TexelModel::at(const TexelCodes& codes, std::size_t texel, std::size_t pair)
         one.logs[i] = &products[i];
     }
     for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) {
-        products[4 + c] =
-            dot(part.basis.chroma, row, &codes.chroma[c][texel * codes.stride], rank);
+        products[4 + c] = dot(part.basis.chroma, row, &codes.chroma[c][texel * codes.stride], rank);
         one.chroma[c] = &products[4 + c];
     }
     return slowTexelColor(one, 0);

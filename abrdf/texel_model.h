@@ -15,8 +15,8 @@
 namespace abrdf {
 
 /// Ranks that stand for more than how many numbers a vector has.
-inline constexpr std::uint16_t kConstantRank = 0;  ///< Lambert's law: TexelScale::channel times
-                                                   ///< cos(theta_i).
+inline constexpr std::uint16_t kConstantRank = 0;   ///< Lambert's law: TexelScale::channel times
+                                                    ///< cos(theta_i).
 inline constexpr std::uint16_t kIsotropicRank = 2;  ///< The same for all isotropic twins.
 
 /// One texel's numbers beside its vectors.
@@ -40,7 +40,7 @@ struct TexelCodes {
 
 /// What the texels of a material have in common: with x = centre + basis . vector for the
 /// logarithms of luminance and channels, and for chroma (texelColors() says how they become
-/// colours). The first r columns are the model of rank r.
+/// colours).
 struct TexelBasis {
     PackedMatrix luminance;  ///< Row, column.
     PackedMatrix chroma;
@@ -61,7 +61,9 @@ struct TexelRule {
     std::size_t vectors() const { return logVectors() + chromaVectors(); }
 };
 
-/// A material's ABRDFs as few numbers a texel and a basis that all texels share. From any thread.
+/// A material's ABRDFs as few numbers a texel and a basis that all texels share. A texel of rank r
+/// has r numbers a vector, for the first r columns of the basis for small ranks, or all columns of
+/// the whole one. From any thread.
 class TexelModel {
   public:
     TexelModel() = default;
@@ -70,13 +72,19 @@ class TexelModel {
     TexelModel(TexelBasis basis, TexelRule rule, std::vector<std::size_t> rowOf,
                std::span<const LightAndView> pairs);
 
+    /// Lets codes be of ranks below columns() as well, up to the columns of `small`: the best for
+    /// each rank first.
+    void addSmall(TexelBasis small);
+
     const TexelBasis& basis() const { return whole_.basis; }
+    const TexelBasis* small() const { return small_ ? &small_->basis : nullptr; }
+    bool hasIsotropic() const { return isotropic_.has_value(); }
     const TexelRule& rule() const { return rule_; }
     const std::vector<std::size_t>& rowOf() const { return whole_.rowOf; }
     std::size_t pairs() const { return whole_.rowOf.size(); }
     std::size_t columns() const { return whole_.basis.luminance.columns(); }
 
-    /// Lets codes be of kIsotropicRank.
+    /// Lets codes be of kIsotropicRank: means of the rows for small ranks.
     void addIsotropic(std::span<const LightAndView> pairs);
 
     /// The same for these pairs alone, in their order.
@@ -111,6 +119,7 @@ class TexelModel {
 
     TexelRule rule_;
     Part whole_;
+    std::optional<Part> small_;
     std::optional<Part> isotropic_;
     std::vector<float> cosines_;  ///< cos(theta_i) of each pair.
 };

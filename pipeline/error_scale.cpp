@@ -5,6 +5,7 @@
 #include "color/delta_e.h"
 #include "stages/measure/quantile.h"
 #include "stages/reconstruct/grey_prior.h"
+#include "stages/reconstruct/leave_out.h"
 #include "stages/train/random_material.h"
 #include "stages/train/training_values.h"
 
@@ -20,20 +21,22 @@ constexpr std::uint64_t kSeed = 0x5ca1e;  ///< Unlike any that models are traine
 constexpr std::size_t kOutputs = 400;
 constexpr double kQuantile = 0.95;
 
-/// Below this both errors are of no importance.
-constexpr double kLeastDeltaE = 0.05;
+/// Where both errors are below this they say nothing: dark materials.
+constexpr double kLeastDeltaE = 0.1;
 
-/// A grey's Delta E is its difference in lightness.
-double meanDeltaE(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double exposure) {
+/// A grey's Delta E is its difference in lightness. shares: of each value, all sum to 1.
+double meanDeltaE(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                  const std::vector<float>& shares, double exposure) {
     double sum = 0;
     for (Eigen::Index i = 0; i < a.size(); ++i) {
-        sum += std::abs(lightness(a(i) * exposure) - lightness(b(i) * exposure));
+        sum += static_cast<double>(shares[static_cast<std::size_t>(i)]) *
+               std::abs(lightness(a(i) * exposure) - lightness(b(i) * exposure));
     }
-    return sum / static_cast<double>(a.size());
+    return sum;
 }
 
 struct Trial {
-    bool isIsotropic = false;
+    double isotropicShare = 0;
     double trueError = 0;
     double leftOutError = 0;
 };
@@ -46,6 +49,7 @@ std::vector<Trial> trialsOf(const PriorModel& whole, double exposure) {
     const GreyPrior prior(model);
     const std::vector<VectorPair> samples = vectorPairs(model.samples);
     const std::vector<VectorPair> outputs = vectorPairs(model.outputs);
+    const std::vector<float> equal(kept.size(), 1.0F / static_cast<float>(kept.size()));
     std::vector<Trial> trials(kMaterials);
     forEachImage(kMaterials, [&](std::size_t i) {
         Random random(kSeed, i);
@@ -60,9 +64,9 @@ std::vector<Trial> trialsOf(const PriorModel& whole, double exposure) {
         };
         const Eigen::VectorXd atSamples = valuesAt(samples);
         const GreyEstimate estimate = prior.estimate(atSamples);
-        trials[i] = {estimate.isotropicShare > 0.5,
-                     meanDeltaE(estimate.outputs, valuesAt(outputs), exposure),
-                     meanDeltaE(estimate.leftOut, atSamples, exposure)};
+        trials[i] = {estimate.isotropicShare,
+                     meanDeltaE(estimate.outputs, valuesAt(outputs), equal, exposure),
+                     meanDeltaE(estimate.leftOut, atSamples, prior.shares(), exposure)};
     });
     return trials;
 }
@@ -70,20 +74,23 @@ std::vector<Trial> trialsOf(const PriorModel& whole, double exposure) {
 }  // namespace
 
 ErrorScale learnErrorScale(const PriorModel& model, double exposure) {
-    std::vector<float> isotropic;
-    std::vector<float> other;
+    std::vector<float> ratios;
     for (const Trial& trial : trialsOf(model, exposure)) {
-        const double ratio =
-            std::max(trial.trueError, kLeastDeltaE) / std::max(trial.leftOutError, kLeastDeltaE);
-        (trial.isIsotropic ? isotropic : other).push_back(static_cast<float>(ratio));
+        const double most = std::max(trial.trueError, trial.leftOutError);
+        if (most < kLeastDeltaE || trial.isotropicShare >= kIsotropicShare) continue;
+        ratios.push_back(static_cast<float>(trial.trueError / std::max(trial.leftOutError, 1e-9)));
     }
-    std::vector<float> all = isotropic;
-    all.insert(all.end(), other.begin(), other.end());
-    constexpr std::size_t kFew = 20;  // Too few to have a quantile of their own.
-    const auto quantileOf = [&](const std::vector<float>& ratios) {
-        return static_cast<double>(quantile(ratios.size() < kFew ? all : ratios, kQuantile));
-    };
-    return {quantileOf(isotropic), quantileOf(other)};
+    ErrorScale scale;
+    if (!ratios.empty()) scale.other = static_cast<double>(quantile(ratios, kQuantile));
+    // Isotropic random materials are too easy to learn from. Their samples have nearer neighbours
+    // among the outputs; part of an error falls with that distance and part, noise, does not: its
+    // root.
+    const SampleBlocks blocks = leaveOutBlocks(model.samples);
+    scale.isotropic =
+        scale.other *
+        std::sqrt(nearness(model.samples, blocks, model.outputs, true) /
+                  std::max(nearness(model.samples, blocks, model.outputs, false), 1e-9));
+    return scale;
 }
 
 double expectedError(const PriorModel& model, double exposure) {

@@ -19,6 +19,7 @@ struct GreyPrior::Sums {
 GreyPrior::GreyPrior(const PriorModel& model)
     : model_(model),
       blocks_(leaveOutBlocks(model.samples)),
+      shares_(outputShares(model.samples, model.outputs)),
       isotropicRow_(isotropicPairs(model.outputs).rowOf) {
     for (const PriorClass& priorClass : model.classes) {
         const bool isIso = priorClass.materialClass == MaterialClass::kIso;

@@ -27,12 +27,16 @@ class GreyPrior {
     /// samples: values in the model's order. From any thread.
     GreyEstimate estimate(const Eigen::VectorXd& samples) const;
 
+    /// outputShares() of the model.
+    const std::vector<float>& shares() const { return shares_; }
+
   private:
     struct Sums;
     void addTerm(const PriorTerm& term, const Eigen::VectorXd& z, Sums& sums) const;
 
     const PriorModel& model_;
     SampleBlocks blocks_;
+    std::vector<float> shares_;
     std::vector<std::size_t> isotropicRow_;
     /// Of outputs and samples: for class iso or not, of a length.
     std::map<std::pair<bool, double>, Eigen::MatrixXd> kernels_;

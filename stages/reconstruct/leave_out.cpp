@@ -1,16 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/reconstruct/leave_out.h"
 
+#include "abrdf/pair_features.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
 namespace abrdf {
 
 namespace {
+
+constexpr double kVectorWeight = 0.7;  ///< As in the discrepancy kernels.
+
+Eigen::MatrixXd featuresOf(const std::vector<LightAndView>& pairs, bool isIsotropic) {
+    const Eigen::MatrixXd isotropic = isotropicFeatures(pairs);
+    if (isIsotropic) return isotropic;
+    const Eigen::MatrixXd vectors = vectorFeatures(pairs);
+    Eigen::MatrixXd all(isotropic.rows(), isotropic.cols() + vectors.cols());
+    all << isotropic, kVectorWeight * vectors;
+    return all;
+}
+
+struct Near {
+    Eigen::Index sample;
+    double distance;
+};
+
+/// Of each output its nearest sample.
+std::vector<Near> nearestOf(const std::vector<LightAndView>& samples,
+                            const std::vector<LightAndView>& outputs, bool isIsotropic) {
+    const Eigen::MatrixXd features = featuresOf(samples, isIsotropic);
+    std::vector<Near> nearest;
+    constexpr std::size_t kSome = 512;
+    for (std::size_t first = 0; first < outputs.size(); first += kSome) {
+        const auto begin = outputs.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto count = static_cast<std::ptrdiff_t>(std::min(kSome, outputs.size() - first));
+        const Eigen::MatrixXd distances =
+            squaredDistances(features, featuresOf({begin, begin + count}, isIsotropic));
+        for (const auto& column : distances.colwise()) {
+            Near near{};
+            near.distance = std::sqrt(std::max(column.minCoeff(&near.sample), 0.0));
+            nearest.push_back(near);
+        }
+    }
+    return nearest;
+}
 
 /// A Lambertian's one number is the mean over the samples outside of the block.
 void addLambert(double weight, const Eigen::VectorXd& logs, const SampleBlocks& blocks,
@@ -43,6 +82,33 @@ SampleBlocks leaveOutBlocks(const std::vector<LightAndView>& samples) {
     }
     for (auto& [subspace, block] : ofSubspace) blocks.push_back(std::move(block));
     return blocks;
+}
+
+std::vector<float> outputShares(const std::vector<LightAndView>& samples,
+                                const std::vector<LightAndView>& outputs) {
+    std::vector<float> shares(samples.size());
+    for (const Near& near : nearestOf(samples, outputs, false)) {
+        shares[static_cast<std::size_t>(near.sample)] += 1;
+    }
+    for (float& share : shares) share /= static_cast<float>(outputs.size());
+    return shares;
+}
+
+double nearness(const std::vector<LightAndView>& samples, const SampleBlocks& blocks,
+                const std::vector<LightAndView>& outputs, bool isIsotropic) {
+    const Eigen::MatrixXd features = featuresOf(samples, isIsotropic);
+    Eigen::MatrixXd apart = squaredDistances(features, features);
+    for (const std::vector<Eigen::Index>& block : blocks) {
+        apart(block, block).setConstant(std::numeric_limits<double>::max());
+    }
+    const Eigen::VectorXd toOthers = apart.colwise().minCoeff().transpose();
+    double ofOutputs = 0;
+    double ofSamples = 0;
+    for (const Near& near : nearestOf(samples, outputs, isIsotropic)) {
+        ofOutputs += near.distance;
+        ofSamples += std::sqrt(std::max(toOthers(near.sample), 0.0));
+    }
+    return ofSamples > 0 ? ofOutputs / ofSamples : 1;
 }
 
 Eigen::MatrixXd leaveOutMatrix(const Eigen::MatrixXd& precision, const SampleBlocks& blocks) {

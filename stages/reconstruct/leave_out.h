@@ -17,6 +17,17 @@ using SampleBlocks = std::vector<std::vector<Eigen::Index>>;
 /// lie on slices: neighbours on a slice predict one another far better than anything else.
 SampleBlocks leaveOutBlocks(const std::vector<LightAndView>& samples);
 
+/// How many of the outputs each sample is the nearest of, as shares that sum to 1: samples that
+/// were chosen where values are hard to tell speak for few others.
+std::vector<float> outputShares(const std::vector<LightAndView>& samples,
+                                const std::vector<LightAndView>& outputs);
+
+/// How much nearer to a sample outputs are than samples outside a block are to those in it, over
+/// all outputs: errors fall about as distances do. In the space of isotropic features, or with the
+/// directions' vectors beside them.
+double nearness(const std::vector<LightAndView>& samples, const SampleBlocks& blocks,
+                const std::vector<LightAndView>& outputs, bool isIsotropic);
+
 /// The matrix that gives, of centred samples, how far each is from what the samples outside its
 /// block predict: the rows of block B are (A_BB)^-1 A_B, A the samples' precision.
 Eigen::MatrixXd leaveOutMatrix(const Eigen::MatrixXd& precision, const SampleBlocks& blocks);

@@ -68,9 +68,9 @@ class ChromaKriging {
     std::vector<LightAndView> pairs_;
     double medianLuminance_ = 1;
     Eigen::MatrixXd features_;
-    std::vector<Eigen::MatrixXd> ofShape_;  ///< What each shape's kernel is multiplied with.
-    Eigen::MatrixXd ofVectors_;             ///< The same of unit vectors; empty where unused.
-    std::vector<double> weights_;           ///< Of the mixture's members, all sum to 1 ...
+    std::vector<Eigen::MatrixXd> ofShape_;   ///< What each shape's kernel is multiplied with.
+    Eigen::MatrixXd ofVectors_;              ///< The same of unit vectors; empty where unused.
+    std::vector<double> weights_;            ///< Of the mixture's members, all sum to 1 ...
     std::vector<Eigen::MatrixXd> inverses_;  ///< ... and the inverses of their covariances.
     Eigen::MatrixXd covariance_;
     std::vector<Eigen::MatrixX3d> leaveOneOut_;

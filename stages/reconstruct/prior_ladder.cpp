@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/reconstruct/prior_ladder.h"
 
+#include "abrdf/random.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +12,8 @@ namespace abrdf {
 namespace {
 
 constexpr std::size_t kProbes = 192;
+
+constexpr std::uint64_t kProbeSeed = 0x9206e5;
 
 std::vector<DisplayLab> labsOf(std::span<const Rgb> colors, float exposure) {
     std::vector<DisplayLab> labs(colors.size());
@@ -23,10 +27,20 @@ std::vector<DisplayLab> labsOf(const TexelModel& model, const TexelCodes& codes,
     return labsOf(colors, exposure);
 }
 
-float meanDifference(std::span<const DisplayLab> a, std::span<const DisplayLab> b) {
+/// Mean difference over all outputs, at most, as far as some of them tell: two standard errors
+/// above their mean.
+float mostMeanDifference(std::span<const DisplayLab> a, std::span<const DisplayLab> b) {
+    const auto n = static_cast<float>(a.size());
     float sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += displayDifference(a[i], b[i]);
-    return sum / static_cast<float>(a.size());
+    float squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const float difference = displayDifference(a[i], b[i]);
+        sum += difference;
+        squares += difference * difference;
+    }
+    const float mean = sum / n;
+    const float variance = std::max(squares / n - mean * mean, 0.0F);
+    return mean + 2 * std::sqrt(variance / n);
 }
 
 /// Some of the texels, at one rank.
@@ -51,8 +65,13 @@ TexelCodes someOf(const TexelCodes& codes, std::span<const std::size_t> texels,
 
 std::vector<std::size_t> probesOf(std::size_t pairs) {
     const std::size_t count = std::min(kProbes, pairs);
+    Random random(kProbeSeed, pairs);
     std::vector<std::size_t> probes;
-    for (std::size_t i = 0; i < count; ++i) probes.push_back((2 * i + 1) * pairs / (2 * count));
+    for (std::size_t i = 0; i < count; ++i) {
+        // One somewhere in each piece: an even step would meet the same views again and again.
+        const std::size_t begin = i * pairs / count;
+        probes.push_back(begin + random.below((i + 1) * pairs / count - begin));
+    }
     return probes;
 }
 
@@ -77,9 +96,12 @@ std::vector<float> PriorLadder::leftOutErrors(const TexelCodes& whole,
     const std::vector<DisplayLab> measured = labsOf(samples, parts_.exposure);
     std::vector<float> errors;
     for (std::size_t t = 0; t < whole.count(); ++t) {
-        errors.push_back(parts_.errorScale *
-                         meanDifference(std::span(predicted).subspan(t * count, count),
-                                        std::span(measured).subspan(t * count, count)));
+        float sum = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            sum += parts_.sampleShares[k] *
+                   displayDifference(predicted[t * count + k], measured[t * count + k]);
+        }
+        errors.push_back(parts_.errorScale * sum);
     }
     return errors;
 }
@@ -110,8 +132,8 @@ void PriorLadder::choose(const TexelCodes& whole, TexelCodes& projected,
         std::vector<std::size_t> still;
         for (std::size_t i = 0; i < open.size(); ++i) {
             const std::size_t t = open[i];
-            const float left = meanDifference(std::span(labs).subspan(i * probes, probes),
-                                              std::span(wanted).subspan(t * probes, probes));
+            const float left = mostMeanDifference(std::span(labs).subspan(i * probes, probes),
+                                                  std::span(wanted).subspan(t * probes, probes));
             deltaE[t] = std::sqrt(leftOut[t] * leftOut[t] + left * left);
             if (parts_.tolerance > 0 && deltaE[t] > parts_.tolerance) {
                 still.push_back(t);

@@ -19,6 +19,7 @@ struct LadderParts {
     TexelModel wholeProbes;  ///< The whole model at the probes, of whole codes; may be empty.
     TexelModel probes;       ///< The same of projected codes.
     std::vector<double> sampleCosines;  ///< cos(theta_i) of each sample.
+    std::vector<float> sampleShares;    ///< As outputShares().
     float exposure = 1;
     float errorScale = 1;  ///< True errors beside left-out ones.
     float tolerance = 0;   ///< Mean CIE 1976 Delta E that is good enough; 0: take the largest.

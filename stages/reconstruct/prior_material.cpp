@@ -43,11 +43,9 @@ Eigen::MatrixXd covarianceOf(const PriorModel& model, const std::vector<PriorTer
     return sum;
 }
 
-/// True errors beside left-out ones, between the two kinds of materials as the mixture is.
 double errorScaleOf(const PriorModel& model, const std::vector<PriorTerm>& terms) {
-    const double isotropic = isotropicShare(model, terms);
-    return std::pow(model.errorScale.isotropic, isotropic) *
-           std::pow(model.errorScale.other, 1 - isotropic);
+    return isotropicShare(model, terms) >= kIsotropicShare ? model.errorScale.isotropic
+                                                           : model.errorScale.other;
 }
 
 /// The mean luminance of the material at the outputs, from its logarithms there.
@@ -55,8 +53,7 @@ Eigen::VectorXd luminanceFromLogs(const std::vector<float>& x, float cap, double
     Eigen::VectorXd luminance(static_cast<Eigen::Index>(x.size()));
     for (std::size_t i = 0; i < x.size(); ++i) {
         luminance(static_cast<Eigen::Index>(i)) =
-            scale *
-            std::max(std::exp(static_cast<double>(std::min(x[i], cap))) - kPriorFloor, 0.0);
+            scale * std::max(std::exp(static_cast<double>(std::min(x[i], cap))) - kPriorFloor, 0.0);
     }
     return luminance;
 }
@@ -233,33 +230,35 @@ void PriorMaterial::buildModel(const PriorModel& model, const ChromaKriging& kri
     for (const LightAndView& sample : model.samples) {
         parts.sampleCosines.push_back(std::cos(sample.light.theta));
     }
+    parts.sampleShares = outputShares(model.samples, whole.pairs);
     for (const int rank : kLadder) {
         if (hasSteps && rank < most) parts.ranks.push_back(static_cast<std::uint16_t>(rank));
     }
     parts.ranks.push_back(static_cast<std::uint16_t>(most));
 
-    TexelBasis basis = whole.centers;
-    const bool staysWhole = most == samples && !hasSteps && !options.nested;
-    if (staysWhole) {
-        basis.luminance = PackedMatrix(whole.luminance);
-        basis.chroma = PackedMatrix(whole.chroma);
-        model_ = TexelModel(std::move(basis), rule_, std::move(whole.rowOf), whole.pairs);
-    } else {
+    const auto basisOf = [&](const Eigen::MatrixXf& luminance, const Eigen::MatrixXf& chroma) {
+        TexelBasis basis = whole.centers;
+        basis.luminance = PackedMatrix(luminance);
+        basis.chroma = PackedMatrix(chroma);
+        return basis;
+    };
+    model_ = TexelModel(basisOf(whole.luminance, whole.chroma), rule_, whole.rowOf, whole.pairs);
+    if (most < samples || hasSteps) {
         const std::vector<std::size_t> probes = probesOf(whole.pairs.size());
+        parts.wholeProbes = model_.restricted(probes);
+        const int columns = most < samples ? most : std::min(kLadder.back(), samples);
         const NestedBasis luminance =
-            nestedBasis(whole.luminance, covarianceOf(model, terms_), most);
-        const NestedBasis chroma = nestedBasis(whole.chroma, kriging.covariance(), most);
-        basis.luminance = PackedMatrix(luminance.basis);
-        basis.chroma = PackedMatrix(chroma.basis);
+            nestedBasis(whole.luminance, covarianceOf(model, terms_), columns);
+        const NestedBasis chroma = nestedBasis(whole.chroma, kriging.covariance(), columns);
         luminanceProjection_ = PackedMatrix(luminance.projection);
         chromaProjection_ = PackedMatrix(chroma.projection);
-        TexelBasis wholeBasis = whole.centers;
-        wholeBasis.luminance = PackedMatrix(whole.luminance);
-        wholeBasis.chroma = PackedMatrix(whole.chroma);
-        parts.wholeProbes = TexelModel(std::move(wholeBasis), rule_, whole.rowOf, whole.pairs)
-                                .restricted(probes);
-        model_ = TexelModel(std::move(basis), rule_, std::move(whole.rowOf), whole.pairs);
-        if (hasSteps && most > kIsotropicRank) model_.addIsotropic(whole.pairs);
+        TexelBasis small = basisOf(luminance.basis, chroma.basis);
+        if (most < samples) {
+            model_ = TexelModel(std::move(small), rule_, whole.rowOf, whole.pairs);
+        } else {
+            model_.addSmall(std::move(small));
+        }
+        if (hasSteps && columns > kIsotropicRank) model_.addIsotropic(whole.pairs);
         parts.probes = model_.restricted(probes);
     }
     ladder_ = PriorLadder(std::move(parts));
@@ -275,9 +274,11 @@ TexelCodes PriorMaterial::projected(const TexelCodes& whole) const {
         const std::size_t padded = projection.panels() * PackedMatrix::kPanel;
         std::vector<float> products(whole.count() * padded);
         projection.multiply(from, 0, projection.panels(), products.data(), padded);
+        to.resize(whole.count() * codes.stride);
         for (std::size_t t = 0; t < whole.count(); ++t) {
-            const auto begin = products.begin() + static_cast<std::ptrdiff_t>(t * padded);
-            to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(codes.stride));
+            std::copy_n(products.begin() + static_cast<std::ptrdiff_t>(t * padded),
+                        projection.rows(),
+                        to.begin() + static_cast<std::ptrdiff_t>(t * codes.stride));
         }
     };
     for (std::size_t i = 0; i < rule_.logVectors(); ++i) {
@@ -306,18 +307,26 @@ TexelCodes PriorMaterial::encode(std::span<const Rgb> samples, std::span<float> 
     if (!deltaE.empty() || hasSteps) {
         ladder_.choose(whole, codes, restored, deltaE.empty() ? std::span(errors) : deltaE);
     }
-    // What a rank leaves out is nothing.
-    for (std::size_t t = 0; t < codes.count() && hasSteps; ++t) {
-        const auto cut = [&](std::vector<float>& vectors) {
-            if (vectors.empty()) return;
-            const auto begin = vectors.begin() + static_cast<std::ptrdiff_t>(t * codes.stride);
-            std::fill(begin + codes.ranks[t], begin + static_cast<std::ptrdiff_t>(codes.stride),
-                      0.0F);
-        };
-        std::ranges::for_each(codes.logs, cut);
-        std::ranges::for_each(codes.chroma, cut);
-    }
+    if (hasSteps) cutToRanks(whole, codes);
     return codes;
+}
+
+/// What a rank leaves out is nothing; whole texels keep all numbers of theirs.
+void PriorMaterial::cutToRanks(const TexelCodes& whole, TexelCodes& codes) const {
+    const auto cut = [&](const std::vector<float>& from, std::vector<float>& to) {
+        for (std::size_t t = 0; t < codes.count() && !to.empty(); ++t) {
+            const auto begin = to.begin() + static_cast<std::ptrdiff_t>(t * codes.stride);
+            const std::size_t rank = codes.ranks[t];
+            if (rank == whole.stride) {
+                std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(t * rank), rank, begin);
+            } else {
+                std::fill(begin + static_cast<std::ptrdiff_t>(rank),
+                          begin + static_cast<std::ptrdiff_t>(codes.stride), 0.0F);
+            }
+        }
+    };
+    for (std::size_t i = 0; i < 4; ++i) cut(whole.logs[i], codes.logs[i]);
+    for (std::size_t c = 0; c < 2; ++c) cut(whole.chroma[c], codes.chroma[c]);
 }
 
 void PriorMaterial::reconstruct(std::span<const Rgb> samples, std::span<Rgb> abrdfs) const {

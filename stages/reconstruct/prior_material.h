@@ -72,6 +72,7 @@ class PriorMaterial {
                     const ReconstructOptions& options);
     TexelModel leaveOutModel(const PriorModel& model, const ChromaKriging& kriging) const;
     TexelCodes projected(const TexelCodes& whole) const;
+    void cutToRanks(const TexelCodes& whole, TexelCodes& codes) const;
     double projectionCost() const;
 
     std::vector<PriorTerm> terms_;

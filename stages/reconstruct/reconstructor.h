@@ -28,7 +28,6 @@ struct ReconstructOptions {
     /// Mean CIE 1976 Delta E that is good enough: each texel takes the smallest model whose
     /// estimated error is within it. 0: the whole model.
     double tolerance = 0;
-    bool nested = false;    ///< Texels as few numbers even at full rank, as model atlases hold them.
     bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
 };
 

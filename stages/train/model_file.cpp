@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little,
 namespace {
 
 // The last number changes with the form of the file, or with what training makes of its options.
-constexpr char kMagic[16] = "abrdf prior 004";
+constexpr char kMagic[16] = "abrdf prior 007";
 
 /// Appends plain values and Eigen's arrays.
 class Bytes {
