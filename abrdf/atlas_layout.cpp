@@ -8,14 +8,23 @@
 namespace abrdf {
 
 std::string nameOf(AtlasKind kind) {
-    return kind == AtlasKind::kAngular ? "angular" : "spatial";
+    switch (kind) {
+        case AtlasKind::kAngular:
+            return "angular";
+        case AtlasKind::kSpatial:
+            return "spatial";
+        case AtlasKind::kModel:
+            return "model";
+    }
+    return "angular";
 }
 
 AtlasKind atlasKindFromName(const std::string& name) {
-    if (name == "angular") return AtlasKind::kAngular;
-    if (name == "spatial") return AtlasKind::kSpatial;
+    for (const AtlasKind kind : {AtlasKind::kAngular, AtlasKind::kSpatial, AtlasKind::kModel}) {
+        if (name == nameOf(kind)) return kind;
+    }
     throw std::invalid_argument(
-        fmt::format("there is no layout '{}': use angular or spatial", name));
+        fmt::format("there is no layout '{}': use angular, spatial or model", name));
 }
 
 AtlasPixel AtlasLayout::pixelFromSample(const AtlasSample& s) const {

@@ -9,9 +9,10 @@ namespace abrdf {
 enum class AtlasKind {
     kAngular,  ///< A rectangle of all pairs a texel: rows light, columns view (UTIA's order).
     kSpatial,  ///< A map of all texels a pair.
+    kModel,    ///< A map of few numbers a texel, and a basis (abrdf/model_atlas.h).
 };
 
-/// "angular" or "spatial". The inverse throws std::invalid_argument for other names.
+/// "angular", "spatial" or "model". The inverse throws std::invalid_argument for other names.
 std::string nameOf(AtlasKind kind);
 AtlasKind atlasKindFromName(const std::string& name);
 
@@ -42,12 +43,13 @@ struct AtlasLayout {
 
     bool operator==(const AtlasLayout&) const = default;
 
-    int width() const { return texelsWide * views; }
-    int height() const { return texelsHigh * lights; }
+    int width() const { return kind == AtlasKind::kModel ? texelsWide : texelsWide * views; }
+    int height() const { return kind == AtlasKind::kModel ? texelsHigh : texelsHigh * lights; }
     std::size_t texelCount() const {
         return static_cast<std::size_t>(texelsWide) * static_cast<std::size_t>(texelsHigh);
     }
 
+    /// Of an angular or spatial atlas.
     AtlasPixel pixelFromSample(const AtlasSample& sample) const;
     AtlasSample sampleFromPixel(const AtlasPixel& pixel) const;
 };

@@ -201,6 +201,8 @@ ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options) {
         {"noise", number(choice.noise)},
         {"saturated", number(choice.saturated)},
         {"rank", choice.options.rank},
+        {"tolerance", choice.options.tolerance},
+        {"exposure", choice.options.exposure},
         {"per_texel", choice.options.perTexel},
         {"grid", hex(grid)},
         {"grazing", nameOf(options.grazing)},

@@ -123,7 +123,11 @@ nlohmann::ordered_json settleMethod(MethodChoice& choice, const MethodLimits& li
         choice.plan.name =
             fmt::format("{}:{}", isPoster ? "poster" : "greedy", figure.size.samples);
     }
-    if (choice.options.rank == 0) choice.options.rank = figure.size.rank;
+    if (limits.tolerance && methodFromName(choice.name).needsPrior) {
+        choice.options.tolerance = *limits.tolerance;  // Each texel takes a rank of its own.
+    } else if (choice.options.rank == 0) {
+        choice.options.rank = figure.size.rank;
+    }
     nlohmann::ordered_json report = {{"method", choice.name},
                                      {"plan", choice.plan.name},
                                      {"rank", choice.options.rank},

@@ -3,6 +3,7 @@
 
 #include "stages/read/exr_header_check.h"
 #include "stages/read/mapped_file.h"
+#include "stages/read/model_reader.h"
 
 #include <ImfArray.h>
 #include <ImfChannelList.h>
@@ -46,6 +47,9 @@ AtlasHeader readAtlasHeader(const std::filesystem::path& path) {
 }
 
 Atlas readAtlas(const std::filesystem::path& path) {
+    if (readAtlasHeader(path).layout.kind == AtlasKind::kModel) {
+        return expanded(readModelAtlas(path));
+    }
     return readExr(path, [&](Imf::InputFile& file) {
         AtlasHeader header = atlasHeaderFrom(file.header(), path.string());
         const auto width = static_cast<std::size_t>(header.layout.width());

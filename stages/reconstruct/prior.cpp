@@ -92,6 +92,16 @@ class Prior : public Reconstructor {
         material_.model().evaluate(material_.encode(samples, deltaE), abrdfs);
     }
 
+    const TexelModel* model() const override {
+        return fallback_ || options_.perTexel ? nullptr : &material_.model();
+    }
+    TexelCodes encode(std::span<const Rgb> samples, std::span<float> deltaE) const override {
+        return material_.encode(samples, deltaE);
+    }
+    double multiplyAddsOfRank(std::uint16_t rank) const override {
+        return material_.multiplyAddsOfRank(rank);
+    }
+
     std::size_t texelsAtOnce() const override { return options_.perTexel ? 1 : 32; }
     double multiplyAdds() const override {
         return fallback_ ? fallback_->multiplyAdds() : material_.multiplyAdds();

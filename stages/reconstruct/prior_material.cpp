@@ -343,9 +343,10 @@ double PriorMaterial::multiplyAdds() const {
     return projectionCost() + model_.multiplyAdds(model_.columns());
 }
 
-double PriorMaterial::multiplyAddsOfStep(std::size_t step) const {
-    return projectionCost() + ladder_.multiplyAdds(step) +
-           model_.multiplyAdds(ladder_.ranks()[step]);
+double PriorMaterial::multiplyAddsOfRank(std::uint16_t rank) const {
+    const auto step = static_cast<std::size_t>(std::ranges::find(ladder_.ranks(), rank) -
+                                               ladder_.ranks().begin());
+    return projectionCost() + ladder_.multiplyAdds(step) + model_.multiplyAdds(rank);
 }
 
 }  // namespace abrdf

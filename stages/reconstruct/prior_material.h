@@ -41,8 +41,8 @@ class PriorMaterial {
     double multiplyAdds() const;
     double modelBytes() const { return model_.bytes(model_.columns()); }
 
-    /// Of a texel of ranks()[step], with what it takes to find that out.
-    double multiplyAddsOfStep(std::size_t step) const;
+    /// Of a texel of this rank, with what it takes to find that out.
+    double multiplyAddsOfRank(std::uint16_t rank) const;
 
     const std::vector<PriorTerm>& terms() const { return terms_; }
 

@@ -5,6 +5,7 @@
 #include "abrdf/prior_model.h"
 #include "abrdf/sample_set.h"
 #include "abrdf/slice_plan.h"
+#include "abrdf/texel_model.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -66,6 +67,19 @@ class Reconstructor {
         reconstruct(samples, abrdfs);
         std::ranges::fill(deltaE, std::numeric_limits<float>::quiet_NaN());
     }
+
+    /// What its texels have in common, where they can be kept as few numbers; else null.
+    virtual const TexelModel* model() const { return nullptr; }
+
+    /// Texels as numbers of model(), which makes of them what reconstruct() does. deltaE: as
+    /// reconstructKnowing(), or empty.
+    virtual TexelCodes encode(std::span<const Rgb> /*samples*/,
+                              std::span<float> /*deltaE*/) const {
+        return {};
+    }
+
+    /// Multiply-adds of a texel of model() of this rank, with what it takes to choose it.
+    virtual double multiplyAddsOfRank(std::uint16_t /*rank*/) const { return multiplyAdds(); }
 
     /// How many texels are best done together.
     virtual std::size_t texelsAtOnce() const { return 1; }

@@ -5,6 +5,7 @@
 #include "stages/write/exr_stream.h"
 
 #include <ImfChannelList.h>
+#include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfMultiPartOutputFile.h>
@@ -31,6 +32,14 @@ Imf::Header headerOf(const ExrPart& part) {
         header.channels().insert(channel.name,
                                  Imf::Channel(channel.asHalf ? Imf::HALF : Imf::FLOAT));
     }
+    for (const auto& [name, text] : part.notes) header.insert(name, Imf::StringAttribute(text));
+    for (const auto& [name, number] : part.numbers) {
+        header.insert(name, Imf::FloatAttribute(number));
+    }
+    if (part.atlas != nullptr) {
+        storeAtlasHeader(*part.atlas, header);
+        return header;
+    }
     header.insert("Software", Imf::StringAttribute("abrdf"));
     header.insert("colorInteropID", Imf::StringAttribute(part.interopId));
     if (!part.colorSpace.empty()) {
@@ -41,7 +50,6 @@ Imf::Header headerOf(const ExrPart& part) {
         const auto xy = [](const std::array<float, 2>& c) { return Imath::V2f(c[0], c[1]); };
         Imf::addChromaticities(header, {xy(p.red), xy(p.green), xy(p.blue), xy(p.white)});
     }
-    for (const auto& [name, text] : part.notes) header.insert(name, Imf::StringAttribute(text));
     return header;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/atlas_header.h"
 #include "abrdf/picture.h"
 
 #include <cstdint>
@@ -24,7 +25,9 @@ struct ExrPart {
     std::vector<Channel> channels;
     std::string colorSpace;  ///< OpenColorIO name; empty for data, which has no colour space.
     std::string interopId;   ///< As an atlas's; chromaticities follow from it. Data: "data".
-    std::vector<std::pair<std::string, std::string>> notes;  ///< Further attributes of text.
+    std::vector<std::pair<std::string, std::string>> notes = {};  ///< Further attributes of text.
+    std::vector<std::pair<std::string, float>> numbers = {};      ///< The same of numbers.
+    const AtlasHeader* atlas = nullptr;  ///< Stored in the part's header, with its colour space.
 };
 
 /// The parts of a rendered picture: "rgba" with R, G, B, A, then "depth" and "normals" as data.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abrdf/atlas.h"
+#include "abrdf/packed_codes.h"
+#include "abrdf/pair_interpolation.h"
+#include "abrdf/texel_model.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace abrdf {
+
+/// An atlas as few numbers a texel and a basis that all share, in scene_linear, over the measured
+/// elevations.
+struct ModelAtlas {
+    AtlasHeader header;  ///< Of kind kModel.
+    TexelModel model;
+    PackedCodes texels;            ///< Row by row.
+    std::vector<float> most;       ///< What no value of a texel exceeds.
+    std::vector<float> estimates;  ///< A bound of each texel's mean Delta E; may be empty.
+};
+
+/// All pairs of texels [first, first + count), texel after texel, of a model that was made of the
+/// atlas's: finite, not negative, and at most `most`.
+void evaluateTexels(const ModelAtlas& atlas, const TexelModel& model, std::size_t first,
+                    std::size_t count, std::span<Rgb> abrdfs);
+
+/// All of it as an angular atlas in memory.
+Atlas expanded(const ModelAtlas& atlas);
+
+/// B(light, view) of a texel; `interpolation`: of the header's grid. Exact at the atlas's
+/// directions, interpolated between them, held past the last elevation. Throws std::out_of_range
+/// for a texel that is not in the atlas.
+Rgb lookUp(const ModelAtlas& atlas, const PairInterpolation& interpolation, Direction light,
+           Direction view, int texelX, int texelY);
+
+}  // namespace abrdf
