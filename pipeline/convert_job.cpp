@@ -146,8 +146,7 @@ Shard shardFromText(const std::string& text) {
 }
 
 TileOrder ConvertJob::texelOrder() const {
-    if (layout().kind == AtlasKind::kAngular) return tileOrderOf(layout());
-    return {layout().texelsWide, layout().texelsHigh, 1, 1};
+    return texelOrderOf(layout());
 }
 
 ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& progress) {
