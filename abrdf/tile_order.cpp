@@ -32,4 +32,9 @@ TileOrder tileOrderOf(const AtlasLayout& layout) {
     return {layout.views, layout.lights, cellsFor(layout.texelsWide), cellsFor(layout.texelsHigh)};
 }
 
+TileOrder texelOrderOf(const AtlasLayout& layout) {
+    if (layout.kind == AtlasKind::kAngular) return tileOrderOf(layout);
+    return {layout.texelsWide, layout.texelsHigh, 1, 1};
+}
+
 }  // namespace abrdf

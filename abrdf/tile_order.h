@@ -52,6 +52,18 @@ class TileOrder {
     /// ordered[place] = rows[y * width + x] for all cells. T: a value type.
     template <typename T>
     void reorder(std::span<const T> rows, std::span<T> ordered) const {
+        forEachCell([&](std::size_t place, std::size_t inRows) { ordered[place] = rows[inRows]; });
+    }
+
+    /// The inverse: rows[y * width + x] = ordered[place].
+    template <typename T>
+    void restore(std::span<const T> ordered, std::span<T> rows) const {
+        forEachCell([&](std::size_t place, std::size_t inRows) { rows[inRows] = ordered[place]; });
+    }
+
+  private:
+    template <typename Visit>
+    void forEachCell(const Visit& visit) const {
         std::size_t place = 0;
         for (std::size_t i = 0; i < tiles(); ++i) {
             const Tile t = tile(i);
@@ -59,13 +71,12 @@ class TileOrder {
                 const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                                    static_cast<std::size_t>(t.x);
                 for (int x = 0; x < t.width; ++x) {
-                    ordered[place++] = rows[first + static_cast<std::size_t>(x)];
+                    visit(place++, first + static_cast<std::size_t>(x));
                 }
             }
         }
     }
 
-  private:
     int width_ = 1;
     int height_ = 1;
     int tileWidth_ = 1;
@@ -75,5 +86,8 @@ class TileOrder {
 /// How an atlas is cut: cells are texels in an angular one, pairs (views across, lights down) in a
 /// spatial one; a tile holds whole cells and is at least 64 pixels wide and high.
 TileOrder tileOrderOf(const AtlasLayout& layout);
+
+/// The order in which an atlas's texels are made: that of an angular one's tiles, or of rows.
+TileOrder texelOrderOf(const AtlasLayout& layout);
 
 }  // namespace abrdf

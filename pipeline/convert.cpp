@@ -3,6 +3,7 @@
 
 #include "abrdf/output_file.h"
 #include "pipeline/convert_job.h"
+#include "pipeline/estimate_report.h"
 #include "pipeline/tile_journal.h"
 #include "pipeline/write_atlas.h"
 #include "pipeline/write_unshifted.h"
@@ -63,6 +64,7 @@ struct Written {
     std::uint64_t bytes = 0;
     std::size_t resumedTiles = 0;
     double writeSeconds = 0;
+    std::vector<float> estimates = {};  ///< Delta E a texel; none where the method knows none.
 };
 
 /// Where an exception leaves it, the unfinished atlas goes, unless it is to be continued.
@@ -90,6 +92,8 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
     if (job.header.shard > 0) {
         journalled["shard"] = fmt::format("{}/{}", job.header.shard, job.header.shards);
     }
+    const bool hasEstimate = maker.reconstructor.knowsError();
+    if (hasEstimate) journalled["estimate"] = true;
     const PixelType first =
         options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
     TileJournal journal(options.output, journalled, first, options.resume);
@@ -106,8 +110,10 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
             written.dimmed += counts.dimmed;
         };
         add(journal.counts());
-        AtlasWriter writer(options.output, job.header,
-                           {written.type, options.compression, true, journal.written()});
+        AtlasWriter writer(
+            options.output, job.header,
+            {written.type, options.compression, true, journal.written(), hasEstimate});
+        writer.keepEstimates(0, journal.estimates());
         if (journal.written().tiles == 0) journal.add({writer.written(), 0, {}});
         const bool endWhereCut =
             options.pixel == PixelChoice::kAuto && written.type == PixelType::kHalf;
@@ -126,6 +132,7 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
         if (writeTiles(run, writer, told, progress)) {
             const auto finishing = Clock::now();
             written.bytes = writer.finish(written.counts);
+            written.estimates = writer.estimates();
             written.writeSeconds += secondsSince(finishing);
             unfinished.finish();
             return written;
@@ -171,6 +178,7 @@ ordered_json finishedReport(const ConvertJob& job, const ConvertOptions& options
                         {"extrapolated", header.counts.extrapolated},
                         {"nonfinite", header.counts.nonfinite},
                         {"missing", job.samples().filled}};
+    addEstimate(readEstimates(options.output), report);
     report["time"] = {
         {"read", 0.0}, {"reconstruct", 0.0}, {"write", 0.0}, {"total", secondsSince(start)}};
     report["peak_memory"] = peakMemory();
@@ -251,6 +259,7 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options,
                       RunSeconds seconds) {
     ordered_json report = reportOf(job, options);
     report["counts"] = countsOf(written.counts, written.dimmed);
+    addEstimate(written.estimates, report);
     if (!remark.empty()) report["remark"] = remark;
     // Tiles are made while others are written: what remains beside reading and writing.
     report["time"] = {

@@ -95,6 +95,8 @@ MemoryTask memoryOf(const ConvertJob& job, const ConvertOptions& options) {
     if (job.planned.method->needsPrior) {
         // The model's covariances of four classes, and the products made of them in double.
         task.fixedBytes += 40 * std::uint64_t{task.samples} * task.reconstructed;
+        // Estimates, as an earlier run left them, in the order of tiles, in rows, and as a chunk.
+        task.fixedBytes += 4 * sizeof(float) * job.layout().texelCount();
     }
     return task;
 }
@@ -146,8 +148,7 @@ Shard shardFromText(const std::string& text) {
 }
 
 TileOrder ConvertJob::texelOrder() const {
-    if (layout().kind == AtlasKind::kAngular) return tileOrderOf(layout());
-    return {layout().texelsWide, layout().texelsHigh, 1, 1};
+    return texelOrderOf(layout());
 }
 
 ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& progress) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/inspect.h"
 
+#include "pipeline/estimate_report.h"
 #include "pipeline/job.h"
 #include "pipeline/stack_facts.h"
 #include "stages/read/atlas_reader.h"
@@ -114,6 +115,7 @@ ordered_json inspectAtlas(const fs::path& path, const ProgressSink& progress) {
     report["cosine"] = nameOf(atlas.cosine);
     report["cosine_from"] = "header";
     try {
+        addEstimate(readEstimates(path), report);
         addFacts(*openBtf(path), progress, report);
     } catch (const std::runtime_error& error) {
         report["unreadable"] = {error.what()};

@@ -3,6 +3,7 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "pipeline/estimate_report.h"
 #include "pipeline/job.h"
 #include "pipeline/tile_journal.h"
 #include "pipeline/write_atlas.h"
@@ -39,6 +40,11 @@ void checkOneJob(const std::vector<AtlasTiles>& shards, const std::vector<fs::pa
         if (shards[i].header().shards != shards[0].header().shards) {
             changed = fmt::format("one is of {} parts, the other of {}", shards[0].header().shards,
                                   shards[i].header().shards);
+        } else if (changed.empty() &&
+                   shards[i].estimates().empty() != shards[0].estimates().empty()) {
+            changed =
+                "one tells the error of its texels, the other does not; convert all parts with one "
+                "version of abrdf";
         } else if (changed.empty() && shards[i].type() != shards[0].type()) {
             changed = fmt::format(
                 "pixels were {} and are {}, as a value in one part fits no half; convert all parts "
@@ -102,6 +108,16 @@ AtlasHeader wholeHeader(const std::vector<AtlasTiles>& shards, const ordered_jso
                                              texels));
     }
     return header;
+}
+
+/// Those of all texels, row by row; none where the shards have none.
+std::vector<float> estimatesOf(const std::vector<AtlasTiles>& shards) {
+    std::vector<float> rows;
+    for (const AtlasTiles& shard : shards) {
+        const std::vector<float> more = shard.estimates();
+        rows.insert(rows.end(), more.begin(), more.end());
+    }
+    return rows;
 }
 
 /// Tiles of angular atlases stand one below the other: their bytes are copied.
@@ -188,9 +204,16 @@ ordered_json merge(const MergeOptions& options, const ProgressSink& progress) {
     const std::vector<AtlasTiles> shards = openShards(options.shards);
     const ordered_json job = jobOf(shards[0], options.shards[0]);
     const AtlasHeader header = wholeHeader(shards, job, options.shards[0]);
-    AtlasWriter writer(
-        options.output, header,
-        {shards[0].type(), compressionFromName(job["compression"].get<std::string>()), false, {}});
+    const std::vector<float> estimates = estimatesOf(shards);
+    AtlasWriter writer(options.output, header,
+                       {shards[0].type(),
+                        compressionFromName(job["compression"].get<std::string>()),
+                        false,
+                        {},
+                        !estimates.empty()});
+    std::vector<float> ordered(estimates.size());
+    if (!ordered.empty()) texelOrderOf(header.layout).reorder<float>(estimates, ordered);
+    writer.keepEstimates(0, ordered);
     if (header.layout.kind == AtlasKind::kAngular) {
         appendTiles(shards, writer, progress);
     } else {
@@ -198,20 +221,20 @@ ordered_json merge(const MergeOptions& options, const ProgressSink& progress) {
     }
     const std::uint64_t bytes = writer.finish(header.counts);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return {{"command", "merge"},
-            {"version", ABRDF_VERSION},
-            {"shards", shards.size()},
-            {"texels", {header.layout.texelsWide, header.layout.texelsHigh}},
-            {"counts",
-             {{"clamped", header.counts.clamped},
-              {"extrapolated", header.counts.extrapolated},
-              {"nonfinite", header.counts.nonfinite}}},
-            {"time", {{"total", seconds.count()}}},
-            {"peak_memory", peakMemory()},
-            {"output",
-             {{"path", options.output.string()},
-              {"bytes", bytes},
-              {"pixel", nameOf(shards[0].type())}}}};
+    ordered_json report = {{"command", "merge"},
+                           {"version", ABRDF_VERSION},
+                           {"shards", shards.size()},
+                           {"texels", {header.layout.texelsWide, header.layout.texelsHigh}},
+                           {"counts",
+                            {{"clamped", header.counts.clamped},
+                             {"extrapolated", header.counts.extrapolated},
+                             {"nonfinite", header.counts.nonfinite}}}};
+    addEstimate(estimates, report);
+    report["time"] = {{"total", seconds.count()}};
+    report["peak_memory"] = peakMemory();
+    report["output"] = {
+        {"path", options.output.string()}, {"bytes", bytes}, {"pixel", nameOf(shards[0].type())}};
+    return report;
 }
 
 }  // namespace abrdf

@@ -19,15 +19,18 @@ void TexelMaker::makeUnfinished(std::span<const Rgb> band, std::size_t first, st
     buffers.samples.resize(count * samples);
     buffers.abrdfs.resize(count * pairs);
     buffers.inner.resize(extends ? count * innerPairs : 0);
+    buffers.estimates.resize(reconstructor.knowsError() ? count : 0);
     buffers.unreal = {};
     slicer.slice(band, first, buffers.samples);
     const std::span<Rgb> made = extends ? buffers.inner : buffers.abrdfs;
     const std::size_t atOnce = reconstructor.texelsAtOnce();
     for (std::size_t t = 0; t < count; t += atOnce) {
         const std::size_t n = std::min(atOnce, count - t);
-        buffers.unreal +=
-            reconstructBlock(std::span(buffers.samples).subspan(t * samples, n * samples), n,
-                             reconstructor, made.subspan(t * innerPairs, n * innerPairs));
+        std::span<float> estimates = buffers.estimates;
+        if (!estimates.empty()) estimates = estimates.subspan(t, n);
+        buffers.unreal += reconstructBlock(
+            std::span(buffers.samples).subspan(t * samples, n * samples), n, reconstructor,
+            made.subspan(t * innerPairs, n * innerPairs), estimates);
     }
     const std::span<Rgb> abrdfs = buffers.abrdfs;
     for (std::size_t t = 0; extends && t < count; ++t) {

@@ -25,6 +25,7 @@ struct TexelMaker {
         std::vector<Rgb> samples;
         std::vector<Rgb> inner;  ///< Up to the measured elevations, where the atlas goes past them.
         std::vector<Rgb> abrdfs;
+        std::vector<float> estimates;  ///< Delta E a texel; none where the method knows none.
         UnrealCounts unreal;
     };
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <charconv>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -21,15 +23,54 @@ fs::path journalBeside(const fs::path& output) {
     return output.parent_path() / fmt::format(".{}.abrdf-journal", output.filename().string());
 }
 
-/// One line: tiles, their end, their hash, counts. Nothing where it is cut.
+constexpr std::size_t kDigits = 8;  // Of a float's bits, hexadecimal.
+
+/// To the bit, NaN as well.
+std::string textOf(std::span<const float> estimates) {
+    std::string text;
+    for (const float value : estimates) {
+        text += fmt::format("{:08x}", std::bit_cast<std::uint32_t>(value));
+    }
+    return text;
+}
+
+/// The inverse; nothing where it is cut.
+std::optional<std::vector<float>> estimatesFrom(const std::string& text) {
+    if (text.size() % kDigits != 0) return {};
+    std::vector<float> estimates;
+    for (std::size_t i = 0; i < text.size(); i += kDigits) {
+        std::uint32_t bits = 0;
+        const char* end = text.data() + i + kDigits;
+        const auto [rest, error] = std::from_chars(text.data() + i, end, bits, 16);
+        if (error != std::errc() || rest != end) return {};
+        estimates.push_back(std::bit_cast<float>(bits));
+    }
+    return estimates;
+}
+
+/// One line: tiles, their end, hash, counts, and the estimates where there are some. Nothing where
+/// it is cut.
 std::optional<TilesAdded> entryOf(const std::string& line) {
     std::istringstream stream(line);
     TilesAdded added;
     std::string end;
     stream >> added.written.tiles >> added.written.end >> added.hash >> added.counts.clamped >>
         added.counts.nonfinite >> added.counts.dimmed >> end;
+    if (stream && end != "whole") {
+        auto estimates = estimatesFrom(end);
+        if (!estimates) return {};
+        added.estimates = std::move(*estimates);
+        stream >> end;
+    }
     if (!stream || end != "whole") return {};
     return added;
+}
+
+/// Confirms the estimates too, which the atlas's bytes do not have yet.
+std::uint64_t withEstimates(std::uint64_t hash, std::span<const float> estimates) {
+    if (estimates.empty()) return hash;
+    return contentHash({reinterpret_cast<const char*>(estimates.data()), estimates.size_bytes()},
+                       hash);
 }
 
 /// The hash of bytes [begin, end) of a file; nothing where it is shorter.
@@ -96,13 +137,14 @@ bool TileJournal::readBack(const ordered_json& job) {
         const auto entry = entryOf(line);
         if (!entry) break;
         // The first one says where tiles begin.
-        if (entry->written.tiles > 0 &&
-            hashOf(atlas, written_.end, entry->written.end, buffer) != entry->hash) {
-            break;
+        if (entry->written.tiles > 0) {
+            const auto hash = hashOf(atlas, written_.end, entry->written.end, buffer);
+            if (!hash || withEstimates(*hash, entry->estimates) != entry->hash) break;
         }
         good = journal.tellg();
         written_ = entry->written;
         counts_ += entry->counts;
+        estimates_.insert(estimates_.end(), entry->estimates.begin(), entry->estimates.end());
     }
     if (written_.tiles > 0) fs::resize_file(path_, static_cast<std::uintmax_t>(good));
     return written_.tiles > 0;
@@ -111,6 +153,7 @@ bool TileJournal::readBack(const ordered_json& job) {
 void TileJournal::begin() {
     written_ = {};
     counts_ = {};
+    estimates_ = {};
     std::ofstream stream(path_, std::ios::binary | std::ios::trunc);
     stream << ordered_json{{"job", job_}, {"pixel", nameOf(type_)}}.dump() << "\n";
     if (!stream.flush()) {
@@ -124,9 +167,10 @@ void TileJournal::restart(PixelType type) {
 }
 
 void TileJournal::add(const TilesAdded& added) {
-    stream_ << added.written.tiles << ' ' << added.written.end << ' ' << added.hash << ' '
-            << added.counts.clamped << ' ' << added.counts.nonfinite << ' ' << added.counts.dimmed
-            << " whole\n";
+    stream_ << added.written.tiles << ' ' << added.written.end << ' '
+            << withEstimates(added.hash, added.estimates) << ' ' << added.counts.clamped << ' '
+            << added.counts.nonfinite << ' ' << added.counts.dimmed << ' '
+            << textOf(added.estimates) << (added.estimates.empty() ? "" : " ") << "whole\n";
     if (!stream_.flush()) {
         throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
     }

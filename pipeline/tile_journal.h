@@ -10,6 +10,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace abrdf {
 
@@ -18,8 +19,8 @@ namespace abrdf {
 /// neither a kill nor a power cut leaves a false one. A lock keeps a second process away.
 class TileJournal {
   public:
-    /// resume: continue what an earlier run of the same job left, of which then type(), written()
-    /// and counts() tell; else, or where there is nothing, begin anew.
+    /// resume: continue what an earlier run of the same job left, of which then type(), written(),
+    /// counts() and estimates() tell; else, or where there is nothing, begin anew.
     /// Throws std::runtime_error where another process writes `output`, or where the earlier job
     /// was another one, saying what changed.
     TileJournal(const std::filesystem::path& output, const nlohmann::ordered_json& job,
@@ -28,6 +29,8 @@ class TileJournal {
     PixelType type() const { return type_; }
     const WrittenTiles& written() const { return written_; }
     const UnrealCounts& counts() const { return counts_; }
+    /// Of the written tiles' texels, as TilesAdded has them.
+    const std::vector<float>& estimates() const { return estimates_; }
 
     void add(const TilesAdded& added);
 
@@ -48,6 +51,7 @@ class TileJournal {
     PixelType type_;
     WrittenTiles written_;
     UnrealCounts counts_;
+    std::vector<float> estimates_;
     std::ofstream stream_;
 };
 

@@ -130,16 +130,20 @@ bool writeAngular(const AtlasRun& run, AtlasWriter& writer, const TilesSink& tol
         const Range tiles = tilesOf(item);
         const double seconds = append(writer, tiles.end - tiles.begin, slot.chunks);
         slot.texels.unreal.clamped += slot.cut;
-        if (told) told({writer.written(), slot.hash, slot.texels.unreal, seconds});
+        const std::vector<float>& estimates = slot.texels.estimates;
+        writer.keepEstimates(order.firstCell(tiles.begin), estimates);
+        if (told) told({writer.written(), slot.hash, slot.texels.unreal, seconds, estimates});
         if (progress) progress({"reconstruct", "tiles", tiles.end, order.tiles()});
     };
     runFlow(flow);
     return !ended;
 }
 
-/// Texel by texel into a table of pairs. Returns nothing where a value was cut and should not be.
-std::optional<UnrealCounts> fillItems(const AtlasRun& run, const TileOrder& order,
+/// Texel by texel into a table of pairs; their estimates go to the writer. Returns nothing where a
+/// value was cut and should not be.
+std::optional<UnrealCounts> fillItems(const AtlasRun& run, AtlasWriter& writer,
                                       TransposedTable& items, const ProgressSink& progress) {
+    const TileOrder& order = writer.order();
     const std::size_t size = run.memory.runTiles;
     const std::size_t texels = run.layout.texelCount();
     Bands bands(run.texels, run.memory.runsPerBand);
@@ -166,9 +170,10 @@ std::optional<UnrealCounts> fillItems(const AtlasRun& run, const TileOrder& orde
             progress({"reconstruct", "texels", made += range.end - range.begin, texels});
         }
     };
-    flow.deliver = [&](std::size_t, std::size_t s) {
+    flow.deliver = [&](std::size_t item, std::size_t s) {
         total += slots[s].texels.unreal;
         total.clamped += slots[s].cut;
+        if (!ended) writer.keepEstimates(item * size, slots[s].texels.estimates);
     };
     runFlow(flow);
     if (ended) return {};
@@ -231,7 +236,7 @@ bool writeTiles(const AtlasRun& run, AtlasWriter& writer, const TilesSink& told,
     TransposedTable items(run.layout.texelCount(), 3 * bytesOf(run.type),
                           bandBegins(order, run.memory.itemRunsPerBand * run.memory.itemTiles),
                           scratch);
-    const auto counts = fillItems(run, order, items, progress);
+    const auto counts = fillItems(run, writer, items, progress);
     if (!counts) return false;
     writeItems({run.layout, run.memory, run.type}, items, *counts, writer, told, progress);
     return true;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace abrdf {
 
@@ -18,6 +19,9 @@ struct TilesAdded {
     std::uint64_t hash = 0;  ///< contentHash() of the added tiles' chunks.
     UnrealCounts counts;     ///< Of the added tiles' values; clamped ones hold those cut to half.
     double seconds = 0;      ///< That writing them took.
+    /// Of the added tiles' texels, in the order of cells. None where the method knows none, and
+    /// none of a spatial atlas, whose texels are made anew by a run that goes on.
+    std::vector<float> estimates = {};
 };
 using TilesSink = std::function<void(const TilesAdded& added)>;
 

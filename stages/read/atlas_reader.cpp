@@ -9,6 +9,8 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -17,16 +19,36 @@ namespace abrdf {
 
 namespace {
 
-template <typename Read>
+/// File: InputFile, for part 0, or MultiPartInputFile.
+template <typename File = Imf::InputFile, typename Read>
 auto readExr(const std::filesystem::path& path, Read read) {
     checkExrHeader(MappedFile(path).bytes(), path.string());
     try {
-        Imf::InputFile file(path.c_str(), 0);
+        File file(path.c_str(), 0);
         return read(file);
     } catch (const Iex::BaseExc& error) {
         throw std::runtime_error(
             fmt::format("{}: cannot be read as OpenEXR: {}", path.string(), error.what()));
     }
+}
+
+std::vector<float> estimatesIn(Imf::MultiPartInputFile& file, int part, const AtlasLayout& layout,
+                               const std::string& name) {
+    const Imath::Box2i box = file.header(part).dataWindow();
+    if (file.header(part).channels().findChannel("deltaE") == nullptr ||
+        box.size() + Imath::V2i(1) != Imath::V2i(layout.texelsWide, layout.texelsHigh)) {
+        throw std::runtime_error(fmt::format(
+            "{}: is damaged: its part estimate has no pixel deltaE for each texel", name));
+    }
+    std::vector<float> values(layout.texelCount());
+    Imf::FrameBuffer buffer;
+    const auto wide = static_cast<std::size_t>(layout.texelsWide);
+    buffer.insert("deltaE", Imf::Slice::Make(Imf::FLOAT, values.data(), box, sizeof(float),
+                                             wide * sizeof(float)));
+    Imf::InputPart input(file, part);
+    input.setFrameBuffer(buffer);
+    input.readPixels(box.min.y, box.max.y);
+    return values;
 }
 
 }  // namespace
@@ -70,6 +92,17 @@ Atlas readAtlas(const std::filesystem::path& path) {
         file.setFrameBuffer(buffer);
         file.readPixels(0, header.layout.height() - 1);
         return Atlas(std::move(header), std::move(pixels));
+    });
+}
+
+std::vector<float> readEstimates(const std::filesystem::path& path) {
+    return readExr<Imf::MultiPartInputFile>(path, [&](Imf::MultiPartInputFile& file) {
+        const AtlasLayout layout = atlasHeaderFrom(file.header(0), path.string()).layout;
+        for (int part = 1; part < file.parts(); ++part) {
+            if (file.header(part).name() != "estimate") continue;
+            return estimatesIn(file, part, layout, path.string());
+        }
+        return std::vector<float>();
     });
 }
 

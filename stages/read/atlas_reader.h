@@ -4,6 +4,7 @@
 #include "abrdf/atlas.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace abrdf {
 
@@ -15,5 +16,9 @@ AtlasHeader readAtlasHeader(const std::filesystem::path& path);
 
 /// The whole atlas. Throws as readAtlasHeader().
 Atlas readAtlas(const std::filesystem::path& path);
+
+/// The Delta E that the method expected of each texel, row by row from the top; NaN where it knew
+/// none. Empty where the file has no part `estimate`. Throws as readAtlasHeader().
+std::vector<float> readEstimates(const std::filesystem::path& path);
 
 }  // namespace abrdf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/atlas_tiles.h"
 
+#include "stages/read/atlas_reader.h"
 #include "stages/read/exr_header_check.h"
 #include "stages/read/mapped_file.h"
 
@@ -118,6 +119,10 @@ std::vector<Rgb> AtlasTiles::pixels(std::size_t index) const {
         file_->exr.readTile(file_->column(index), file_->row(index));
         return values;
     });
+}
+
+std::vector<float> AtlasTiles::estimates() const {
+    return readEstimates(file_->path);
 }
 
 }  // namespace abrdf

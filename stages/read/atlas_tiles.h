@@ -35,6 +35,9 @@ class AtlasTiles {
     /// All pixels of a tile, row by row.
     std::vector<Rgb> pixels(std::size_t index) const;
 
+    /// As readEstimates().
+    std::vector<float> estimates() const;
+
   private:
     struct File;
     std::unique_ptr<File> file_;

@@ -29,9 +29,11 @@ struct Part {
     std::int64_t height = 0;
     std::uint64_t channels = 1;
     std::uint64_t linesOfChunk = 1;
-    bool isTiled = false;
+    bool isTiled = false;  ///< By its tiles; in a file of several parts its type decides.
     std::uint64_t tileWidth = 1;
     std::uint64_t tileHeight = 1;
+    std::string type;             ///< "tiledimage", ...; must be there in a file of several parts.
+    std::int64_t chunkCount = 0;  ///< As the part says.
 };
 
 /// Text up to a zero byte.
@@ -114,6 +116,10 @@ void readAttribute(ByteCursor& file, const std::string& name, Part& part) {
         part.isTiled = true;
         part.tileWidth = content.u32("tile size");
         part.tileHeight = content.u32("tile size");
+    } else if (type == "string" && name == "type") {
+        part.type.assign(value.begin(), value.end());
+    } else if (type == "int" && name == "chunkCount") {
+        part.chunkCount = content.number<std::int32_t>("chunkCount");
     } else if (type == "preview") {
         const std::uint64_t pixels =
             boundedProduct(content.u32("preview"), content.u32("preview"), value.size());
@@ -121,7 +127,8 @@ void readAttribute(ByteCursor& file, const std::string& name, Part& part) {
     }
 }
 
-void checkPart(const ByteCursor& file, const Part& part, std::uint64_t fileSize) {
+/// Returns how many chunks the part has.
+std::uint64_t checkPart(const ByteCursor& file, const Part& part, std::uint64_t fileSize) {
     const std::uint64_t most = kMaxExpansion * fileSize + kSmall;
     if (part.width < 1 || part.height < 1) {
         file.fail(fmt::format("it declares {} x {} pixels", part.width, part.height));
@@ -146,6 +153,23 @@ void checkPart(const ByteCursor& file, const Part& part, std::uint64_t fileSize)
                         "bytes",
                         width, height, part.channels, chunks, fileSize));
     }
+    return chunks;
+}
+
+/// The same for one of several parts, which together have `before` chunks before it.
+std::uint64_t checkPartOfMany(const ByteCursor& file, Part part, std::uint64_t before,
+                              std::uint64_t fileSize) {
+    part.isTiled = part.type == "tiledimage" || part.type == "deeptile";
+    const std::uint64_t chunks = checkPart(file, part, fileSize);
+    if (part.chunkCount < 0) {
+        file.fail(fmt::format("one of its parts declares {} chunks", part.chunkCount));
+    }
+    const std::uint64_t most = std::max(chunks, static_cast<std::uint64_t>(part.chunkCount));
+    if (before + most > fileSize / 8) {
+        file.fail(fmt::format("its parts declare {} chunks, and it has {} bytes", before + most,
+                              fileSize));
+    }
+    return most;
 }
 
 }  // namespace
@@ -159,17 +183,21 @@ void checkExrHeader(std::span<const char> bytes, const std::string& name) {
     file.take(kMagic.size(), "magic number");
     const std::uint32_t version = file.u32("version");
     const bool isMultiPart = (version & kMultiPart) != 0;
-    while (true) {
-        std::string attribute = readName(file);
-        if (attribute.empty() && isMultiPart) return;
+    std::uint64_t chunks = 0;
+    std::string attribute = readName(file);
+    do {
         Part part;
         while (!attribute.empty()) {
             readAttribute(file, attribute, part);
             attribute = readName(file);
         }
-        checkPart(file, part, bytes.size());
-        if (!isMultiPart) return;
-    }
+        if (isMultiPart) {
+            chunks += checkPartOfMany(file, part, chunks, bytes.size());
+            attribute = readName(file);  // Of the next part; an empty header ends them.
+        } else {
+            checkPart(file, part, bytes.size());
+        }
+    } while (!attribute.empty());
 }
 
 }  // namespace abrdf

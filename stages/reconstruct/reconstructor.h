@@ -60,13 +60,10 @@ class Reconstructor {
     /// Does it know how far its results may be from the truth?
     virtual bool knowsError() const { return false; }
 
-    /// As reconstruct(); deltaE: one number a texel, a bound of the mean CIE 1976 Delta E of its
-    /// ABRDF at the options' exposure.
+    /// reconstruct(), to the same bits, and of each texel a bound of the mean CIE 1976 Delta E of
+    /// its ABRDF at the options' exposure; NaN where there is none. deltaE: one number a texel.
     virtual void reconstructKnowing(std::span<const Rgb> samples, std::span<Rgb> abrdfs,
-                                    std::span<float> deltaE) const {
-        reconstruct(samples, abrdfs);
-        std::ranges::fill(deltaE, std::numeric_limits<float>::quiet_NaN());
-    }
+                                    std::span<float> deltaE) const;
 
     /// What its texels have in common, where they can be kept as few numbers; else null.
     virtual const TexelModel* model() const { return nullptr; }
@@ -134,13 +131,15 @@ inline constexpr float kMostOfSamples = 4;
 
 /// The stage for `texels` texels, at most reconstructor.texelsAtOnce(), where it is called. No
 /// negative, infinite or NaN value leaves it, and none above kMostOfSamples times the texel's
-/// largest sample.
+/// largest sample. estimates: where not empty, what reconstructKnowing() says of each texel.
 UnrealCounts reconstructBlock(std::span<const Rgb> samples, std::size_t texels,
-                              const Reconstructor& reconstructor, std::span<Rgb> abrdfs);
+                              const Reconstructor& reconstructor, std::span<Rgb> abrdfs,
+                              std::span<float> estimates = {});
 
 struct ReconstructedTexels {
     AbrdfTile abrdfs;
     UnrealCounts unreal;
+    std::vector<float> estimates = {};  ///< Delta E a texel; none where the method knows none.
 };
 
 /// The stage for every texel of a tile, in parallel.

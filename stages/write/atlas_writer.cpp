@@ -4,46 +4,43 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "abrdf/packed_lines.h"
+#include "stages/write/exr_chunk.h"
 #include "stages/write/exr_head.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cstring>
 #include <fstream>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace abrdf {
 
 namespace {
 
-constexpr std::size_t kChunkHead = 5 * sizeof(std::int32_t);
-
-/// Bytes of the data of a chunk that begins with `head`: its fifth number.
-std::uint64_t dataBytes(const char* head) {
-    std::int32_t size = 0;
-    std::memcpy(&size, head + 4 * sizeof size, sizeof size);
-    return static_cast<std::uint64_t>(size);
-}
-
 /// Where the tiles of an unfinished file begin.
 std::vector<std::uint64_t> offsetsIn(const std::filesystem::path& partial, std::uint64_t begin,
-                                     const WrittenTiles& written) {
+                                     const WrittenTiles& written, bool hasParts) {
     std::vector<std::uint64_t> offsets;
     std::ifstream stream(partial, std::ios::binary);
-    std::array<char, kChunkHead> head{};
+    std::vector<char> head(chunkHeadBytes(hasParts));
     std::uint64_t place = begin;
     for (std::size_t i = 0; i < written.tiles; ++i) {
         stream.seekg(static_cast<std::streamoff>(place));
-        if (!stream.read(head.data(), head.size())) break;
+        if (!stream.read(head.data(), static_cast<std::streamsize>(head.size()))) break;
         offsets.push_back(place);
-        place += head.size() + dataBytes(head.data());
+        place += head.size() + chunkDataBytes(head);
     }
     if (offsets.size() != written.tiles || (written.tiles > 0 && place != written.end)) {
         throw std::runtime_error(partial.string() +
                                  ": is not what its journal says; remove both and begin anew");
     }
     return offsets;
+}
+
+/// The number of a part, where the file has more than one.
+std::optional<int> partOf(int part, bool hasParts) {
+    return hasParts ? std::optional(part) : std::nullopt;
 }
 
 int cellWidthOf(const AtlasLayout& layout) {
@@ -64,16 +61,18 @@ bool fitsHalf(std::span<const Rgb> values) {
 
 struct AtlasWriter::File {
     ExrHead head;
-    std::uint64_t begin;  ///< Of the first chunk; the table of offsets stands before it.
+    std::uint64_t begin;  ///< Of the first chunk; the tables of offsets stand before it.
     std::vector<std::uint64_t> offsets;
     std::uint64_t end;
     std::unique_ptr<OutputFile> output;
 
     File(const std::filesystem::path& path, const AtlasHeader& header, const TileOrder& order,
          const AtlasWriterOptions& options, int tileWidth, int tileHeight)
-        : head(header, options.type, options.compression, tileWidth, tileHeight),
-          begin(head.bytes().size() + order.tiles() * sizeof(std::uint64_t)),
-          offsets(offsetsIn(partialBeside(path), begin, options.written)),
+        : head(header, options.type, options.compression, tileWidth, tileHeight,
+               options.hasEstimate),
+          begin(head.bytes().size() +
+                (order.tiles() + (options.hasEstimate ? 1 : 0)) * sizeof(std::uint64_t)),
+          offsets(offsetsIn(partialBeside(path), begin, options.written, options.hasEstimate)),
           end(std::max(begin, options.written.end)),
           output(options.resumable
                      ? std::make_unique<OutputFile>(path, OutputFile::Partial{options.written.end})
@@ -90,11 +89,16 @@ struct AtlasWriter::File {
 AtlasWriter::AtlasWriter(const std::filesystem::path& path, const AtlasHeader& header,
                          const AtlasWriterOptions& options)
     : order_(tileOrderOf(header.layout)),
+      texelOrder_(texelOrderOf(header.layout)),
       cellWidth_(cellWidthOf(header.layout)),
       cellHeight_(cellHeightOf(header.layout)),
       type_(options.type),
+      hasEstimate_(options.hasEstimate),
+      estimates_(hasEstimate_ ? header.layout.texelCount() : 0,
+                 std::numeric_limits<float>::quiet_NaN()),
       encoder_(header.layout.width(), header.layout.height(), order_.tileWidth() * cellWidth_,
-               order_.tileHeight() * cellHeight_, options.type, options.compression),
+               order_.tileHeight() * cellHeight_, options.type, options.compression,
+               partOf(0, hasEstimate_)),
       file_(std::make_unique<File>(path, header, order_, options, order_.tileWidth() * cellWidth_,
                                    order_.tileHeight() * cellHeight_)) {}
 
@@ -107,10 +111,11 @@ void AtlasWriter::encode(std::size_t index, std::span<const char> packed,
 }
 
 void AtlasWriter::append(std::size_t count, std::span<const char> chunks) {
+    const std::size_t head = chunkHeadBytes(hasEstimate_);
     std::size_t place = 0;
     for (std::size_t i = 0; i < count; ++i) {
         file_->offsets.push_back(file_->end + place);
-        place += kChunkHead + dataBytes(chunks.data() + place);
+        place += head + chunkDataBytes(chunks.subspan(place, head));
     }
     assert(place == chunks.size());
     file_->output->write(chunks);
@@ -121,12 +126,10 @@ void AtlasWriter::append(std::size_t count, std::span<const char> chunks) {
 void AtlasWriter::appendData(std::span<const char> data) {
     const auto wide = static_cast<std::size_t>(order_.tilesWide());
     const std::size_t index = file_->offsets.size();
-    const std::array<std::int32_t, 5> head = {static_cast<std::int32_t>(index % wide),
-                                              static_cast<std::int32_t>(index / wide), 0, 0,
-                                              static_cast<std::int32_t>(data.size())};
-    const auto* begin = reinterpret_cast<const char*>(head.data());
-    std::vector<char> chunk(begin, begin + sizeof head);
-    chunk.insert(chunk.end(), data.begin(), data.end());
+    std::vector<char> chunk;
+    appendChunk({partOf(0, hasEstimate_), static_cast<int>(index % wide),
+                 static_cast<int>(index / wide), data},
+                chunk);
     append(1, chunk);
 }
 
@@ -168,10 +171,31 @@ std::uint64_t AtlasWriter::writeRows(int firstRow, int rows, std::span<const Rgb
     return total;
 }
 
+void AtlasWriter::keepEstimates(std::size_t first, std::span<const float> deltaE) {
+    assert(first + deltaE.size() <= estimates_.size());
+    std::ranges::copy(deltaE, std::span(estimates_).subspan(first).begin());
+}
+
+std::vector<float> AtlasWriter::estimates() const {
+    std::vector<float> rows(estimates_.size());
+    if (hasEstimate_) texelOrder_.restore<float>(estimates_, rows);
+    return rows;
+}
+
+void AtlasWriter::appendEstimates() {
+    const std::vector<float> rows = estimates();
+    std::vector<char> chunk;
+    appendChunk(
+        {1, 0, 0, {reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(float)}},
+        chunk);
+    append(1, chunk);
+}
+
 std::uint64_t AtlasWriter::finish(const ValueCounts& counts) {
     if (file_->offsets.size() != order_.tiles()) {
         throw std::logic_error("an atlas was finished before all its tiles were written");
     }
+    if (hasEstimate_) appendEstimates();
     OutputFile& output = *file_->output;
     output.seek(0);
     output.write(file_->head.withCounts(counts));

@@ -31,9 +31,11 @@ struct AtlasWriterOptions {
     /// finish(): a later run may continue it.
     bool resumable = false;
     WrittenTiles written;
+    bool hasEstimate = false;  ///< Does the file have a part of estimates?
 };
 
-/// Writes an atlas as a tiled OpenEXR file: R, G, B in part 0. Tiles are cut and ordered as
+/// Writes an atlas as a tiled OpenEXR file: R, G, B in part 0; with estimates these are channel
+/// `deltaE` of part 1, one pixel a texel. Tiles are cut and ordered as
 /// tileOrderOf() says. They are encoded on any thread and appended in order, so that the file needs
 /// no memory but that of the tiles under way. It appears under its name at finish() alone.
 /// The same values give the same bytes. Throws std::runtime_error that names the file.
@@ -66,16 +68,28 @@ class AtlasWriter {
     /// values past the range of halfs were cut.
     std::uint64_t writeRows(int firstRow, int rows, std::span<const Rgb> pixels);
 
+    /// Takes the estimated Delta E of texels, in the order of texelOrderOf(), from the texel
+    /// `first` on. Those that are never told are NaN.
+    void keepEstimates(std::size_t first, std::span<const float> deltaE);
+
+    /// What was told so far, of all texels, row by row from the top; empty without estimates.
+    std::vector<float> estimates() const;
+
     /// Puts the final counts into the header and the file in its place. Returns its size in bytes.
     std::uint64_t finish(const ValueCounts& counts);
 
   private:
     struct File;
 
+    void appendEstimates();
+
     TileOrder order_;
+    TileOrder texelOrder_;
     int cellWidth_;
     int cellHeight_;
     PixelType type_;
+    bool hasEstimate_;
+    std::vector<float> estimates_;  ///< In the texels' order.
     TileEncoder encoder_;
     std::unique_ptr<File> file_;
 };

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/write/exr_head.h"
 
+#include "abrdf/tile_order.h"
+
 #include <ImfChannelList.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 #include <ImfTileDescription.h>
 #include <ImfVersion.h>
 
-#include <array>
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 namespace abrdf {
 
@@ -62,6 +68,41 @@ Imf::Compression exrCompression(Compression compression) {
     return Imf::ZIP_COMPRESSION;
 }
 
+Imf::Header rgbHeader(const AtlasHeader& atlas, PixelType type, Compression compression,
+                      int tileWidth, int tileHeight) {
+    Imf::Header header(atlas.layout.width(), atlas.layout.height());
+    header.compression() = exrCompression(compression);
+    header.setTileDescription(
+        {static_cast<unsigned>(tileWidth), static_cast<unsigned>(tileHeight), Imf::ONE_LEVEL});
+    for (const char* channel : {"R", "G", "B"}) {
+        header.channels().insert(channel,
+                                 Imf::Channel(type == PixelType::kHalf ? Imf::HALF : Imf::FLOAT));
+    }
+    storeAtlasHeader(atlas, header);
+    return header;
+}
+
+/// What a file of several parts says of each.
+void setPart(Imf::Header& header, const char* name, std::size_t tiles) {
+    header.setName(name);
+    header.setType(Imf::TILEDIMAGE);
+    header.setChunkCount(static_cast<int>(tiles));
+}
+
+/// One pixel a texel. The format wants display window and chromaticities alike in all parts.
+Imf::Header estimateHeader(const AtlasLayout& layout, const Imf::Header& rgb) {
+    Imf::Header header(rgb.displayWindow(),
+                       Imath::Box2i({0, 0}, {layout.texelsWide - 1, layout.texelsHigh - 1}));
+    header.compression() = Imf::NO_COMPRESSION;
+    header.setTileDescription({static_cast<unsigned>(layout.texelsWide),
+                               static_cast<unsigned>(layout.texelsHigh), Imf::ONE_LEVEL});
+    header.channels().insert("deltaE", Imf::Channel(Imf::FLOAT));
+    header.insert("colorInteropID", Imf::StringAttribute("data"));
+    if (Imf::hasChromaticities(rgb)) Imf::addChromaticities(header, Imf::chromaticities(rgb));
+    setPart(header, "estimate", 1);
+    return header;
+}
+
 void patchInt(std::string& bytes, std::string_view attribute, int value) {
     // An attribute is: name \0 type \0 size(4) value.
     const std::string key = std::string(attribute) + '\0' + "int" + '\0' + fourBytes(4);
@@ -75,23 +116,24 @@ void patchInt(std::string& bytes, std::string_view attribute, int value) {
 }  // namespace
 
 ExrHead::ExrHead(const AtlasHeader& atlas, PixelType type, Compression compression, int tileWidth,
-                 int tileHeight) {
-    Imf::Header header(atlas.layout.width(), atlas.layout.height());
-    header.compression() = exrCompression(compression);
-    header.setTileDescription(
-        {static_cast<unsigned>(tileWidth), static_cast<unsigned>(tileHeight), Imf::ONE_LEVEL});
-    for (const char* channel : {"R", "G", "B"}) {
-        header.channels().insert(channel,
-                                 Imf::Channel(type == PixelType::kHalf ? Imf::HALF : Imf::FLOAT));
+                 int tileHeight, bool hasEstimate) {
+    std::vector<Imf::Header> parts = {rgbHeader(atlas, type, compression, tileWidth, tileHeight)};
+    if (hasEstimate) {
+        setPart(parts[0], "rgb", tileOrderOf(atlas.layout).tiles());
+        parts.push_back(estimateHeader(atlas.layout, parts[0]));
     }
-    storeAtlasHeader(atlas, header);
-    header.sanityCheck(true);
+    const int form = hasEstimate ? Imf::MULTI_PART_FILE_FLAG : Imf::TILED_FLAG;
+    const int names = std::ranges::any_of(parts, hasLongName) ? Imf::LONG_NAMES_FLAG : 0;
+    const auto version = static_cast<std::uint32_t>(Imf::EXR_VERSION | form | names);
     MemoryStream stream;
-    const auto flags = static_cast<std::uint32_t>(Imf::EXR_VERSION | Imf::TILED_FLAG |
-                                                  (hasLongName(header) ? Imf::LONG_NAMES_FLAG : 0));
-    const std::string begin = fourBytes(static_cast<std::uint32_t>(Imf::MAGIC)) + fourBytes(flags);
+    const std::string begin =
+        fourBytes(static_cast<std::uint32_t>(Imf::MAGIC)) + fourBytes(version);
     stream.write(begin.data(), static_cast<int>(begin.size()));
-    header.writeTo(stream, true);
+    for (const Imf::Header& part : parts) {
+        part.sanityCheck(true, hasEstimate);
+        part.writeTo(stream, true);
+    }
+    if (hasEstimate) stream.write("", 1);  // An empty header ends them.
     bytes_ = std::move(stream.bytes());
 }
 

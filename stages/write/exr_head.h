@@ -10,12 +10,13 @@
 namespace abrdf {
 
 /// The first bytes of an atlas's file: OpenEXR's magic number, version and header, up to the table
-/// of its tiles' places.
+/// of its tiles' places. With an estimate the headers of two parts, `rgb` and `estimate`: of the
+/// latter all pixels are one tile.
 class ExrHead {
   public:
     /// tileWidth, tileHeight: pixels.
     ExrHead(const AtlasHeader& atlas, PixelType type, Compression compression, int tileWidth,
-            int tileHeight);
+            int tileHeight, bool hasEstimate);
 
     const std::string& bytes() const { return bytes_; }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/write/tile_encoder.h"
 
+#include "stages/write/exr_chunk.h"
+
 #include <fmt/format.h>
 #include <openexr.h>
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -41,14 +42,6 @@ void ignoreError(exr_const_context_t, exr_result_t, const char*) {}
 std::int64_t writeNowhere(exr_const_context_t, void*, const void*, std::uint64_t size,
                           std::uint64_t, exr_stream_error_func_ptr_t) {
     return static_cast<std::int64_t>(size);
-}
-
-void appendChunk(int tileX, int tileY, std::span<const char> data, std::vector<char>& chunks) {
-    const std::array<std::int32_t, 5> head = {tileX, tileY, 0, 0,
-                                              static_cast<std::int32_t>(data.size())};
-    const auto* bytes = reinterpret_cast<const char*>(head.data());
-    chunks.insert(chunks.end(), bytes, bytes + sizeof head);
-    chunks.insert(chunks.end(), data.begin(), data.end());
 }
 
 /// Frees what an encoder took.
@@ -109,7 +102,8 @@ std::string nameOf(Compression compression) {
 }
 
 TileEncoder::TileEncoder(int width, int height, int tileWidth, int tileHeight, PixelType type,
-                         Compression compression) {
+                         Compression compression, std::optional<int> part)
+    : part_(part) {
     if (compression == Compression::kNone) return;
     core_ = std::make_unique<Core>();
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
@@ -117,24 +111,24 @@ TileEncoder::TileEncoder(int width, int height, int tileWidth, int tileHeight, P
     start.write_fn = writeNowhere;
     exr_context_t& context = core_->context;
     check(exr_start_write(&context, "tiles", EXR_WRITE_FILE_DIRECTLY, &start), "begin a header");
-    int part = 0;
-    check(exr_add_part(context, "tiles", EXR_STORAGE_TILED, &part), "begin a header");
-    check(exr_initialize_required_attr_simple(context, part, width, height,
+    int first = 0;
+    check(exr_add_part(context, "tiles", EXR_STORAGE_TILED, &first), "begin a header");
+    check(exr_initialize_required_attr_simple(context, first, width, height,
                                               exrCompression(compression)),
           "make a header");
-    check(exr_set_tile_descriptor(context, part, static_cast<std::uint32_t>(tileWidth),
+    check(exr_set_tile_descriptor(context, first, static_cast<std::uint32_t>(tileWidth),
                                   static_cast<std::uint32_t>(tileHeight), EXR_TILE_ONE_LEVEL,
                                   EXR_TILE_ROUND_DOWN),
           "make a header of such tiles");
     for (const char* channel : {"R", "G", "B"}) {
-        check(exr_add_channel(context, part, channel,
+        check(exr_add_channel(context, first, channel,
                               type == PixelType::kHalf ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
                               EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
               "make a header");
     }
     // The level of OpenEXR's own files. The core's is zlib's, a few percent smaller at twice the
     // time.
-    check(exr_set_zip_compression_level(context, part, kZipLevel), "make a header");
+    check(exr_set_zip_compression_level(context, first, kZipLevel), "make a header");
     check(exr_write_header(context), "make a header");
 }
 
@@ -143,7 +137,7 @@ TileEncoder::~TileEncoder() = default;
 void TileEncoder::encode(int tileX, int tileY, std::span<const char> packed,
                          std::vector<char>& chunks) const {
     if (!core_) {
-        appendChunk(tileX, tileY, packed, chunks);
+        appendChunk({part_, tileX, tileY, packed}, chunks);
         return;
     }
     exr_chunk_info_t chunk{};
@@ -172,11 +166,9 @@ void TileEncoder::encode(int tileX, int tileY, std::span<const char> packed,
     encode.write_fn = keepChunk;
     check(exr_encoding_run(core_->context, 0, &encode), "compress a tile");
     const bool smaller = encode.compressed_bytes < packed.size();
-    appendChunk(tileX, tileY,
-                smaller ? std::span(static_cast<const char*>(encode.compressed_buffer),
-                                    encode.compressed_bytes)
-                        : packed,
-                chunks);
+    const std::span compressed(static_cast<const char*>(encode.compressed_buffer),
+                               encode.compressed_bytes);
+    appendChunk({part_, tileX, tileY, smaller ? compressed : packed}, chunks);
 }
 
 }  // namespace abrdf

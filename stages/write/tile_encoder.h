@@ -4,6 +4,7 @@
 #include "abrdf/pixel_type.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,18 +21,20 @@ std::string nameOf(Compression compression);
 /// own threads or on none; its core library, underneath, does it where it is called.
 class TileEncoder {
   public:
-    /// width, height: of the image; tileWidth, tileHeight: of its tiles. Pixels.
+    /// width, height: of the image; tileWidth, tileHeight: of its tiles. Pixels. part: the number
+    /// of the image in a file of several; nothing where it is alone.
     TileEncoder(int width, int height, int tileWidth, int tileHeight, PixelType type,
-                Compression compression);
+                Compression compression, std::optional<int> part = {});
     ~TileEncoder();
 
-    /// Appends the chunk of tile (tileX, tileY): its coordinates, the size of its data, the data.
+    /// Appends the chunk of tile (tileX, tileY).
     /// packed: the tile as packLines() leaves it, clipped at the image's borders.
     void encode(int tileX, int tileY, std::span<const char> packed,
                 std::vector<char>& chunks) const;
 
   private:
     struct Core;
+    std::optional<int> part_;
     std::unique_ptr<Core> core_;  ///< Nothing where chunks are not compressed.
 };
 

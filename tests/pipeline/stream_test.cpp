@@ -112,16 +112,18 @@ TEST_CASE("a job that was stopped goes on from its tiles and gives the bytes of 
         const auto whole = convert(options, {});
         CHECK_FALSE(whole.contains("resumed_tiles"));
         const fs::path partial = partialBeside(folder.path() / "a.exr");
+        // Two runs of tiles at least, of which a cut leaves one.
+        const std::size_t stopAt = kind == AtlasKind::kAngular ? 40 : 3;
         for (const std::uint64_t cut : {0U, 1U, 1000U}) {
             options.output = folder.path() / "a.exr";
             options.resume = true;
             const ThreadLimit limit(cut == 0 ? 1 : 3);
-            runUntil(options, 3);
+            runUntil(options, stopAt);
             CHECK_FALSE(fs::exists(options.output));
             // A power cut may take what the journal tells of; that tile is made again.
             fs::resize_file(partial, fs::file_size(partial) - cut);
             const auto report = convert(options, {});
-            CHECK(report["resumed_tiles"] >= (cut == 0 ? 3 : 1));
+            CHECK(report.value("resumed_tiles", std::size_t{0}) >= (cut == 0 ? stopAt : 1));
             CHECK(report["counts"] == whole["counts"]);
             CHECK(bytesOf(options.output) == bytesOf(folder.path() / "whole.exr"));
             CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 2);

@@ -6,9 +6,16 @@
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
 
+#include <ImfHeader.h>
+#include <ImfMultiPartInputFile.h>
+#include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 using namespace abrdf;
 
@@ -111,6 +118,119 @@ TEST_CASE(
         CHECK(readAtlas(path).at({29, 39, 4, 6}) == valueOf(39 * 30 + 29, 34));
         std::filesystem::remove(path);
     }
+}
+
+/// A number that tells its texel; one of them is not known.
+std::vector<float> someEstimates(std::size_t count) {
+    std::vector<float> values(count);
+    for (std::size_t t = 0; t < count; ++t) values[t] = 0.1F * static_cast<float>(t + 1);
+    values[count / 2] = std::numeric_limits<float>::quiet_NaN();
+    return values;
+}
+
+/// Equal bits, so that NaN is NaN.
+bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {
+    return std::ranges::equal(a, b, {}, std::bit_cast<std::uint32_t, float>,
+                              std::bit_cast<std::uint32_t, float>);
+}
+
+/// Writes an atlas that tells its estimates, which `rows` has row by row.
+void writeWithEstimates(const std::filesystem::path& path, const AtlasHeader& header,
+                        const AtlasWriterOptions& options, const std::vector<float>& rows) {
+    AtlasWriter writer(path, header, options);
+    std::vector<float> ordered(rows.size());
+    texelOrderOf(header.layout).reorder<float>(rows, ordered);
+    const std::size_t middle = ordered.size() / 2;
+    writer.keepEstimates(middle, std::span(ordered).subspan(middle));
+    writer.keepEstimates(0, std::span(ordered).first(middle));
+    CHECK(sameBits(writer.estimates(), rows));
+    writer.writeRows(0, header.layout.height(), pixelsOf(header.layout));
+    const std::uint64_t bytes = writer.finish({1, 2, 3, 4});
+    CHECK(bytes == std::filesystem::file_size(path));
+}
+
+TEST_CASE("estimates are part 1, a pixel a texel, for OpenEXR and for OpenImageIO") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.exr";
+    for (const AtlasKind kind : {AtlasKind::kAngular, AtlasKind::kSpatial}) {
+        for (const Compression compression : {Compression::kNone, Compression::kZip}) {
+            for (const auto& [wide, high] : {std::pair{1, 1}, {30, 40}, {11, 3}}) {
+                const AtlasHeader header = smallHeader(kind, wide, high);
+                const std::vector<float> rows = someEstimates(header.layout.texelCount());
+                writeWithEstimates(path, header, {PixelType::kHalf, compression, false, {}, true},
+                                   rows);
+                CHECK(sameBits(readEstimates(path), rows));
+                const Atlas atlas = readAtlas(path);
+                CHECK(atlas.header().counts.nonfinite == 3);
+                CHECK(atlas.at({wide - 1, high - 1, 4, 6}) ==
+                      valueOf(header.layout.texelCount() - 1, 34));
+
+                Imf::MultiPartInputFile exr(path.c_str(), 0, false);
+                REQUIRE(exr.parts() == 2);
+                CHECK(exr.header(0).name() == "rgb");
+                CHECK(exr.header(1).name() == "estimate");
+                CHECK(exr.partComplete(0));
+                CHECK(exr.partComplete(1));
+                CHECK(exr.header(1).chunkCount() == 1);
+                CHECK(exr.header(1).compression() == Imf::NO_COMPRESSION);
+
+                std::vector<float> values(rows.size());
+                const auto oiio = OIIO::ImageInput::open(path.string());
+                REQUIRE(oiio);
+                REQUIRE(oiio->seek_subimage(1, 0));
+                CHECK(oiio->spec().width == wide);
+                CHECK(oiio->spec().height == high);
+                CHECK(oiio->spec().channelnames == std::vector<std::string>{"deltaE"});
+                REQUIRE(oiio->read_image(1, 0, 0, 1, OIIO::TypeFloat, values.data()));
+                CHECK(sameBits(values, rows));
+                CHECK_FALSE(oiio->seek_subimage(2, 0));
+                std::vector<Rgb> pixels(pixelsOf(header.layout).size());
+                REQUIRE(oiio->read_image(0, 0, 0, 3, OIIO::TypeFloat, pixels.data()));
+                CHECK(pixels == pixelsOf(header.layout));
+            }
+        }
+    }
+}
+
+TEST_CASE("a file without estimates has one part, and none are read from it") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "a.exr";
+    AtlasWriter writer(path, smallHeader(AtlasKind::kAngular, 2, 1), {});
+    CHECK(writer.estimates().empty());
+    writer.writeRows(0, 5, std::vector<Rgb>(70));
+    writer.finish({});
+    CHECK(readEstimates(path).empty());
+    // A version that the oldest readers take: 2, tiled.
+    CHECK(bytesOf(path).substr(4, 4) == std::string("\2\2\0\0", 4));
+}
+
+TEST_CASE("what was never told is NaN; the tiles of an interrupted file stand where they stood") {
+    const TemporaryFolder folder;
+    const AtlasHeader header = smallHeader(AtlasKind::kAngular, 30, 40);
+    const std::vector<Rgb> pixels = pixelsOf(header.layout);
+    const std::vector<float> rows = someEstimates(header.layout.texelCount());
+    AtlasWriterOptions options{PixelType::kHalf, Compression::kZip, false, {}, true};
+    writeWithEstimates(folder.path() / "whole.exr", header, options, rows);
+    const auto path = folder.path() / "a.exr";
+    options.resumable = true;
+    std::size_t row = 0;
+    int rowHeight = 0;
+    {
+        AtlasWriter first(path, header, options);
+        rowHeight = first.tileHeight(0);
+        row = static_cast<std::size_t>(rowHeight * header.layout.width());
+        first.writeRows(0, rowHeight, std::span(pixels).first(row));
+        options.written = first.written();
+        first.writeRows(rowHeight, rowHeight, std::span(pixels).subspan(row, row));
+    }
+    AtlasWriter second(path, header, options);
+    CHECK(std::ranges::all_of(second.estimates(), [](float e) { return std::isnan(e); }));
+    std::vector<float> ordered(rows.size());
+    second.order().reorder<float>(rows, ordered);
+    second.keepEstimates(0, ordered);
+    second.writeRows(rowHeight, header.layout.height() - rowHeight, std::span(pixels).subspan(row));
+    second.finish({1, 2, 3, 4});
+    CHECK(bytesOf(path) == bytesOf(folder.path() / "whole.exr"));
 }
 
 TEST_CASE("a half never becomes infinite: it is cut and counted") {
