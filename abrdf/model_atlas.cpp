@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace abrdf {
@@ -23,13 +24,19 @@ Rgb bounded(Rgb value, float most) {
 
 }  // namespace
 
-void evaluateTexels(const ModelAtlas& atlas, const TexelModel& model, std::size_t first,
-                    std::size_t count, std::span<Rgb> abrdfs) {
-    model.evaluate(atlas.texels.unpacked(first, count), abrdfs);
+void evaluateTexels(const ModelAtlas& atlas, const TexelModel& model,
+                    std::span<const std::size_t> texels, std::span<Rgb> abrdfs) {
+    model.evaluate(atlas.texels.unpacked(texels), abrdfs);
     const std::size_t pairs = model.pairs();
-    for (std::size_t i = 0; i < count * pairs; ++i) {
-        abrdfs[i] = bounded(abrdfs[i], atlas.most[first + i / pairs]);
+    for (std::size_t i = 0; i < texels.size() * pairs; ++i) {
+        abrdfs[i] = bounded(abrdfs[i], atlas.most[texels[i / pairs]]);
     }
+}
+
+std::vector<std::size_t> texelRange(std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> texels(end - begin);
+    std::iota(texels.begin(), texels.end(), begin);
+    return texels;
 }
 
 Atlas expanded(const ModelAtlas& atlas) {
@@ -43,7 +50,7 @@ Atlas expanded(const ModelAtlas& atlas) {
     constexpr std::size_t kTexels = 32;
     forEachTexelBlock(layout.texelCount(), kTexels, [&](std::size_t begin, std::size_t end) {
         std::vector<Rgb> abrdfs((end - begin) * pairs);
-        evaluateTexels(atlas, atlas.model, begin, end - begin, abrdfs);
+        evaluateTexels(atlas, atlas.model, texelRange(begin, end), abrdfs);
         for (std::size_t i = 0; i < abrdfs.size(); i += views) {  // A light's views are a line.
             const std::size_t texel = begin + i / pairs;
             const AtlasPixel p = layout.pixelFromSample({static_cast<int>(texel % wide),
@@ -66,7 +73,7 @@ Rgb lookUp(const ModelAtlas& atlas, const PairInterpolation& interpolation, Dire
     const auto texel = static_cast<std::size_t>(texelY) *
                            static_cast<std::size_t>(layout.texelsWide) +
                        static_cast<std::size_t>(texelX);
-    const TexelCodes codes = atlas.texels.unpacked(texel, 1);
+    const TexelCodes codes = atlas.texels.unpacked(std::span(&texel, 1));
     Rgb sum;
     for (const WeightedPair& term : interpolation.weights({light, view})) {
         sum += term.weight * bounded(atlas.model.at(codes, 0, term.pair), atlas.most[texel]);

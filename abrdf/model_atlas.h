@@ -22,10 +22,13 @@ struct ModelAtlas {
     std::vector<float> estimates;  ///< A bound of each texel's mean Delta E; may be empty.
 };
 
-/// All pairs of texels [first, first + count), texel after texel, of a model that was made of the
-/// atlas's: finite, not negative, and at most `most`.
-void evaluateTexels(const ModelAtlas& atlas, const TexelModel& model, std::size_t first,
-                    std::size_t count, std::span<Rgb> abrdfs);
+/// All pairs of some texels, texel after texel, of `model`, which is the atlas's or a part of it:
+/// finite, not negative, and at most `most`.
+void evaluateTexels(const ModelAtlas& atlas, const TexelModel& model,
+                    std::span<const std::size_t> texels, std::span<Rgb> abrdfs);
+
+/// begin, begin + 1 ... end - 1.
+std::vector<std::size_t> texelRange(std::size_t begin, std::size_t end);
 
 /// All of it as an angular atlas in memory.
 Atlas expanded(const ModelAtlas& atlas);

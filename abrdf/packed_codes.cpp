@@ -21,19 +21,19 @@ void PackedCodes::store(std::size_t first, const TexelCodes& codes) {
     }
 }
 
-TexelCodes PackedCodes::unpacked(std::size_t first, std::size_t count) const {
+TexelCodes PackedCodes::unpacked(std::span<const std::size_t> texels) const {
     TexelCodes codes;
-    for (std::size_t t = first; t < first + count; ++t) {
+    for (const std::size_t t : texels) {
         codes.scales.push_back(texels_[t].scale);
         codes.ranks.push_back(texels_[t].rank);
         codes.stride = std::max<std::size_t>(codes.stride, texels_[t].rank);
     }
     const auto fill = [&](std::size_t which, std::vector<float>& to) {
-        to.resize(count * codes.stride);
-        for (std::size_t t = 0; t < count; ++t) {
-            const Texel& texel = texels_[first + t];
+        to.resize(texels.size() * codes.stride);
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            const Texel& texel = texels_[texels[i]];
             std::copy_n(texel.numbers.begin() + static_cast<std::ptrdiff_t>(which * texel.rank),
-                        texel.rank, to.begin() + static_cast<std::ptrdiff_t>(t * codes.stride));
+                        texel.rank, to.begin() + static_cast<std::ptrdiff_t>(i * codes.stride));
         }
     };
     for (std::size_t i = 0; i < rule_.logVectors(); ++i) fill(i, codes.logs[i]);

@@ -4,6 +4,8 @@
 #include "abrdf/texel_model.h"
 
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace abrdf {
@@ -19,8 +21,8 @@ class PackedCodes {
     /// Texels [first, first + codes.count()); of different texels from any thread.
     void store(std::size_t first, const TexelCodes& codes);
 
-    /// Texels [first, first + count), as TexelModel takes them.
-    TexelCodes unpacked(std::size_t first, std::size_t count) const;
+    /// Some texels, as TexelModel takes them.
+    TexelCodes unpacked(std::span<const std::size_t> texels) const;
 
     std::uint16_t rank(std::size_t texel) const { return texels_[texel].rank; }
     const TexelScale& scale(std::size_t texel) const { return texels_[texel].scale; }

@@ -42,6 +42,7 @@ void addExport(CLI::App& app, RunCommand& run);
 void addStress(CLI::App& app, RunCommand& run);
 void addPreview(CLI::App& app, RunCommand& run);
 void addReport(CLI::App& app, RunCommand& run);
+void addExpand(CLI::App& app, RunCommand& runCommand);
 void addMerge(CLI::App& app, RunCommand& run);
 void addRun(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);

@@ -114,6 +114,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addStress(app, run);
     abrdf::addPreview(app, run);
     abrdf::addReport(app, run);
+    abrdf::addExpand(app, run);
     abrdf::addMerge(app, run);
     abrdf::addRun(app, run);
     abrdf::addDemo(app, run);

@@ -4,8 +4,10 @@
 #include "abrdf/output_file.h"
 #include "pipeline/convert_job.h"
 #include "pipeline/estimate_report.h"
+#include "pipeline/rank_report.h"
 #include "pipeline/tile_journal.h"
 #include "pipeline/write_atlas.h"
+#include "pipeline/write_model.h"
 #include "pipeline/write_unshifted.h"
 #include "stages/read/atlas_reader.h"
 
@@ -117,8 +119,13 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
         if (journal.written().tiles == 0) journal.add({writer.written(), 0, {}});
         const bool endWhereCut =
             options.pixel == PixelChoice::kAuto && written.type == PixelType::kHalf;
+        const auto make = [&](std::span<const Rgb> band, std::size_t inBand, std::size_t,
+                              std::size_t count, TexelMaker::Buffers& texels) {
+            maker.make(band, inBand, count, texels);
+        };
         const AtlasRun run{table,
-                           maker,
+                           make,
+                           maker.pairs,
                            job.layout(),
                            memory,
                            written.type,
@@ -277,6 +284,29 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options,
     return report;
 }
 
+/// What the texels' models are, where a tolerance chooses them. Warns where it is not within reach;
+/// throws where that is an error.
+ordered_json settleTolerance(const ConvertJob& job, const ConvertOptions& options,
+                             const Reconstructor& reconstructor, const TexelSlicer& slicer,
+                             const ReadFacts& facts) {
+    const double tolerance = job.method.options.tolerance;
+    if (tolerance <= 0 || reconstructor.model() == nullptr) return nullptr;
+    const RankFacts found =
+        rankFacts(reconstructor, slicer, facts, job.samples().pairs.size(), tolerance);
+    if (found.within < found.texels) {
+        const std::string what = fmt::format(
+            "of {} texels that were looked at, {} cannot be known to be within {:g} Delta E from "
+            "{} samples",
+            found.texels, found.texels - found.within, tolerance, job.samples().count());
+        if (options.limits.strict) {
+            throw std::runtime_error(fmt::format("{}: {}; take more of them, or leave --strict out",
+                                                 options.output.string(), what));
+        }
+        if (job.input.warn) job.input.warn(what + "; these take the whole model");
+    }
+    return jsonOf(found, tolerance);
+}
+
 }  // namespace
 
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
@@ -313,8 +343,16 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         TexelFinisher(job.grid, {job.input.colors.transform("scene_linear", options.outputSpace),
                                  job.header.cosine == Cosine::kDivided}),
         job.grid.pairCount()};
+    const ordered_json model = settleTolerance(job, options, *reconstructor, maker.slicer, facts);
     Written written;
-    if (table) {
+    if (job.layout().kind == AtlasKind::kModel) {
+        WrittenModel made =
+            writeModel(job, options, *table, maker.slicer, *reconstructor, progress);
+        written.counts = job.header.counts;
+        written.type = PixelType::kFloat;
+        written.bytes = made.bytes;
+        written.estimates = std::move(made.estimates);
+    } else if (table) {
         written = writeAtlas(job, options, memory, *table, maker, identity, progress);
     } else {
         const UnshiftedAtlas made = writeUnshifted(job, options, aligned.stack, maker, progress);
@@ -323,7 +361,10 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         written.type = made.type;
         written.bytes = made.bytes;
     }
-    return reportOf(job, options, memory, written, remark, {readSeconds, secondsSince(start)});
+    ordered_json report =
+        reportOf(job, options, memory, written, remark, {readSeconds, secondsSince(start)});
+    if (!model.is_null()) report["model"] = model;
+    return report;
 }
 
 }  // namespace abrdf

@@ -25,7 +25,10 @@ AtlasHeader headerOf(const ConvertJob& job, const ConvertOptions& options) {
     header.layout = {options.layout, job.texels.width, job.texels.height,
                      static_cast<int>(job.grid.lights().size()),
                      static_cast<int>(job.grid.views().size())};
-    header.grid = job.grid;
+    // A model knows the measured elevations; abrdf expand goes past them.
+    header.grid = options.layout == AtlasKind::kModel ? job.grazing.inner() : job.grid;
+    header.layout.lights = static_cast<int>(header.grid.lights().size());
+    header.layout.views = static_cast<int>(header.grid.views().size());
     header.method = job.method.name;
     header.plan = job.planned.planName();
     header.samples = static_cast<int>(job.samples().count());
@@ -41,7 +44,9 @@ AtlasHeader headerOf(const ConvertJob& job, const ConvertOptions& options) {
     header.plane = job.isUnshifted ? 0 : job.found.plane.height;
     header.margin = marginOf(job.found.plane, description, job.texels);
     header.counts.missing = job.samples().filled;
-    header.counts.extrapolated = job.grazing.extrapolatedPairs() * header.layout.texelCount();
+    if (options.layout != AtlasKind::kModel) {
+        header.counts.extrapolated = job.grazing.extrapolatedPairs() * header.layout.texelCount();
+    }
     return header;
 }
 
@@ -84,6 +89,10 @@ std::uint64_t imageBytes(const ConvertJob& job) {
 MemoryTask memoryOf(const ConvertJob& job, const ConvertOptions& options) {
     MemoryTask task;
     task.layout = job.layout();
+    if (task.layout.kind == AtlasKind::kModel) {
+        task.layout.kind = AtlasKind::kSpatial;  // Texel by texel, and hardly anything to write.
+        task.layout.lights = task.layout.views = 1;
+    }
     // Room for what auto may turn to.
     task.type = options.pixel == PixelChoice::kHalf ? PixelType::kHalf : PixelType::kFloat;
     task.images = job.samples().pairs.size();
@@ -103,6 +112,7 @@ MemoryTask memoryOf(const ConvertJob& job, const ConvertOptions& options) {
 
 void checkSize(const ConvertJob& job) {
     const AtlasLayout& layout = job.layout();
+    if (layout.kind == AtlasKind::kModel) return;
     const std::int64_t width = std::int64_t{layout.texelsWide} * layout.views;
     const std::int64_t height = std::int64_t{layout.texelsHigh} * layout.lights;
     constexpr std::int64_t kMost = std::int64_t{1} << 30;
@@ -117,6 +127,19 @@ void checkUnshift(const ConvertJob& job, const ConvertOptions& options) {
     throw std::invalid_argument(
         "--unshift makes each texel of many others, so that it can be neither resumed nor cut into "
         "shards; leave --resume and --shard out");
+}
+
+/// What a model atlas cannot be.
+void checkModel(const ConvertJob& job, const ConvertOptions& options) {
+    if (options.layout != AtlasKind::kModel) return;
+    const std::string why = options.resume || options.shard.count > 1
+                                ? "it is written at once; leave --resume and --shard out"
+                            : job.isUnshifted ? "its texels are reconstructed; leave --unshift out"
+                            : options.outputSpace != "scene_linear" || options.divideCosine
+                                ? "it holds scene_linear values with their cosine; give "
+                                  "--output-space and --cosine to abrdf expand"
+                                : "";
+    if (!why.empty()) throw std::invalid_argument("--layout model: " + why);
 }
 
 /// A number for a list of directions.
@@ -173,6 +196,7 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
     job.isUnshifted = options.plane.unshift && job.found.plane.height != 0;
     checkUnshift(job, options);
+    checkModel(job, options);
     job.header = headerOf(job, options);
     takeShard(job, options.shard);
     checkSize(job);

@@ -106,8 +106,8 @@ bool writeAngular(const AtlasRun& run, AtlasWriter& writer, const TilesSink& tol
         const Range tiles = tilesOf(item);
         const std::size_t first = order.firstCell(tiles.begin);
         const std::size_t band = (firstRun + item) / run.memory.runsPerBand;
-        run.maker.make(colorsOf(slot.band), first - run.texels.bandBegin(band),
-                       order.firstCell(tiles.end) - first, slot.texels);
+        run.make(colorsOf(slot.band), first - run.texels.bandBegin(band), first,
+                 order.firstCell(tiles.end) - first, slot.texels);
         slot.chunks.clear();
         slot.cut = 0;
         std::size_t texel = 0;
@@ -116,7 +116,7 @@ bool writeAngular(const AtlasRun& run, AtlasWriter& writer, const TilesSink& tol
             slot.packed.resize(packedBytes(writer, t, run.type));
             slot.cut += packAngularTile(
                 std::span<const Rgb>(slot.texels.abrdfs)
-                    .subspan(texel * run.maker.pairs, tile.cells() * run.maker.pairs),
+                    .subspan(texel * run.pairs, tile.cells() * run.pairs),
                 run.layout, tile, run.type, slot.packed);
             writer.encode(t, slot.packed, slot.chunks);
             texel += tile.cells();
@@ -160,9 +160,9 @@ std::optional<UnrealCounts> fillItems(const AtlasRun& run, AtlasWriter& writer,
         Slot& slot = slots[s];
         const Range range = rangeOf(item, size, texels);
         const std::size_t band = item / run.memory.runsPerBand;
-        run.maker.make(colorsOf(slot.band), range.begin - run.texels.bandBegin(band),
-                       range.end - range.begin, slot.texels);
-        slot.packed.resize((range.end - range.begin) * run.maker.pairs * 3 * bytesOf(run.type));
+        run.make(colorsOf(slot.band), range.begin - run.texels.bandBegin(band), range.begin,
+                 range.end - range.begin, slot.texels);
+        slot.packed.resize((range.end - range.begin) * run.pairs * 3 * bytesOf(run.type));
         slot.cut = itemsFromTexels(slot.texels.abrdfs, order, run.type, slot.packed);
         if (run.endWhereCut && slot.cut > 0) ended = true;
         items.store(range.begin, slot.packed);

@@ -28,7 +28,11 @@ using TilesSink = std::function<void(const TilesAdded& added)>;
 /// Everything that turns a table of texels into the tiles of an atlas.
 struct AtlasRun {
     const TransposedTable& texels;  ///< Rows images, columns texels in the order of the tiles.
-    const TexelMaker& maker;
+    /// Makes cells [first, first + count) of the atlas, which lie in `band` from `inBand` on.
+    std::function<void(std::span<const Rgb> band, std::size_t inBand, std::size_t first,
+                       std::size_t count, TexelMaker::Buffers& texels)>
+        make;
+    std::size_t pairs;  ///< Of the atlas.
     AtlasLayout layout;
     MemoryPlan memory;
     PixelType type = PixelType::kHalf;

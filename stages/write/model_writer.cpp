@@ -41,7 +41,7 @@ ExrPart rgbPart(const ModelAtlas& atlas) {
     const TexelModel model = atlas.model.restricted(front);
     std::vector<Rgb> colors(atlas.texels.count());
     forEachTexelBlock(colors.size(), 256, [&](std::size_t begin, std::size_t end) {
-        evaluateTexels(atlas, model, begin, end - begin,
+        evaluateTexels(atlas, model, texelRange(begin, end),
                        std::span(colors).subspan(begin, end - begin));
     });
     part.channels = {{"R", channelOf(colors.size(), [&](auto i) { return colors[i].r; }), false},
