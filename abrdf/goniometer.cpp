@@ -21,6 +21,34 @@ bool isPole(Direction direction) {
     return direction.theta < kRounding;
 }
 
+/// The samples of a closed slice once round.
+std::vector<std::size_t> roundOf(const std::vector<LightAndView>& slice) {
+    std::vector<std::size_t> round(slice.size());
+    std::iota(round.begin(), round.end(), std::size_t{0});
+    std::ranges::stable_sort(
+        round, [&](std::size_t i, std::size_t j) { return slice[i].view.phi < slice[j].view.phi; });
+    return round;
+}
+
+/// The same from a start, forth or back: the two leave out different gaps.
+std::vector<std::size_t> shorterWay(const std::vector<LightAndView>& slice,
+                                    const std::vector<std::size_t>& round, std::size_t start,
+                                    const Goniometer& goniometer) {
+    std::vector<std::size_t> forth;
+    std::vector<std::size_t> back;
+    for (std::size_t k = 0; k < round.size(); ++k) {
+        forth.push_back(round[(start + k) % round.size()]);
+        back.push_back(round[(start + round.size() - k) % round.size()]);
+    }
+    const auto costOf = [&](const std::vector<std::size_t>& way) {
+        Goniometer ahead = goniometer;
+        Radians cost = 0;
+        for (const std::size_t i : way) cost += ahead.moveTo(slice[i]).sum();
+        return cost;
+    };
+    return costOf(back) < costOf(forth) - kRounding ? back : forth;
+}
+
 }  // namespace
 
 Goniometer::Move Goniometer::moveOf(const LightAndView& pair) const {
@@ -84,17 +112,11 @@ Travel travelOf(std::span<const LightAndView> pairs) {
 }
 
 std::vector<std::size_t> sweptOrder(const std::vector<std::vector<LightAndView>>& slices) {
-    // Each slice once round, as indices into it.
     std::vector<std::vector<std::size_t>> rounds;
     std::vector<std::size_t> offsets;
     std::size_t total = 0;
     for (const std::vector<LightAndView>& slice : slices) {
-        std::vector<std::size_t> round(slice.size());
-        std::iota(round.begin(), round.end(), std::size_t{0});
-        std::ranges::stable_sort(round, [&](std::size_t i, std::size_t j) {
-            return slice[i].view.phi < slice[j].view.phi;
-        });
-        rounds.push_back(std::move(round));
+        rounds.push_back(roundOf(slice));
         offsets.push_back(total);
         total += slice.size();
     }
@@ -102,35 +124,22 @@ std::vector<std::size_t> sweptOrder(const std::vector<std::vector<LightAndView>>
     std::vector<bool> isDone(slices.size(), false);
     Goniometer goniometer;
     for (std::size_t step = 0; step < slices.size(); ++step) {
-        std::size_t slice = 0;
+        std::size_t slice = slices.size();
         std::size_t start = 0;
-        Radians least = 1e9;
+        Radians least = 0;
         for (std::size_t s = 0; s < slices.size(); ++s) {
             if (isDone[s]) continue;
             for (std::size_t k = 0; k < rounds[s].size(); ++k) {
                 const Radians cost = goniometer.travelTo(slices[s][rounds[s][k]]).sum();
-                if (cost > least - kRounding) continue;
+                if (slice != slices.size() && cost > least - kRounding) continue;
                 least = cost;
                 slice = s;
                 start = k;
             }
         }
+        if (slice == slices.size()) break;  // Only empty ones are left.
         isDone[slice] = true;
-        const std::vector<std::size_t>& round = rounds[slice];
-        // A closed slice may be left out at its widest gap only on one side: go the shorter way.
-        std::vector<std::size_t> forth;
-        std::vector<std::size_t> back;
-        for (std::size_t k = 0; k < round.size(); ++k) {
-            forth.push_back(round[(start + k) % round.size()]);
-            back.push_back(round[(start + round.size() - k) % round.size()]);
-        }
-        const auto costOf = [&](const std::vector<std::size_t>& way) {
-            Goniometer ahead = goniometer;
-            Radians cost = 0;
-            for (const std::size_t i : way) cost += ahead.moveTo(slices[slice][i]).sum();
-            return cost;
-        };
-        for (const std::size_t i : costOf(back) < costOf(forth) - kRounding ? back : forth) {
+        for (const std::size_t i : shorterWay(slices[slice], rounds[slice], start, goniometer)) {
             goniometer.moveTo(slices[slice][i]);
             order.push_back(offsets[slice] + i);
         }
