@@ -47,9 +47,8 @@ TEST_SUITE_BEGIN("cli");
 
 TEST_CASE("help is an answer, not a fault, for the program and for each command") {
     const TemporaryFolder folder;
-    for (const char* command :
-         {"", "convert", "inspect", "evaluate", "chart", "plan", "stress", "preview", "report", "run", "merge",
-          "demo"}) {
+    for (const char* command : {"", "convert", "inspect", "evaluate", "chart", "plan", "stress",
+                                "preview", "report", "run", "merge", "demo"}) {
         const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
         CHECK(run.status == 0);
         CHECK(contains(run.out, "Usage"));
@@ -246,15 +245,15 @@ TEST_CASE("what abrdf plan writes is taken as a plan, whole or its beginning") {
     const TemporaryFolder folder;
     const std::string zip = "'" + demoZip().string() + "'";
     const ProgramRun planned =
-        runProgram(folder.path(), "plan --samples 14 --materials 20 --input " + zip +
-                                      " -o plan.toml --json -q");
+        runProgram(folder.path(),
+                   "plan --samples 14 --materials 20 --input " + zip + " -o plan.toml --json -q");
     REQUIRE_MESSAGE(planned.status == 0, planned.err);
     const auto report = nlohmann::json::parse(planned.out);
     CHECK(report["candidates"] == 6561);
     CHECK(report["expected_error"].size() == 14);
     for (const auto& [plan, images] : {std::pair{"plan.toml", 14}, {"plan.toml:9", 9}}) {
-        const ProgramRun run = runProgram(folder.path(), "convert " + zip + " -o a.exr --dry-run " +
-                                                             "--json --plan " + plan);
+        const ProgramRun run = runProgram(
+            folder.path(), "convert " + zip + " -o a.exr --dry-run " + "--json --plan " + plan);
         CHECK(nlohmann::json::parse(run.out)["plan"]["images_read"] == images);
     }
     CHECK(runProgram(folder.path(), "plan -o a.toml --samples 0").status == 2);
