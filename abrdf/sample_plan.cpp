@@ -134,7 +134,7 @@ std::array<SubspaceSlices, 16> sixteenSubspaces() {
 }  // namespace
 
 PlanName planNameFrom(const std::string& text) {
-    const std::size_t colon = text.find(':');
+    const std::size_t colon = text.rfind(':');
     PlanName name{text.substr(0, colon), 0};
     if (colon == std::string::npos) return name;
     const char* end = text.data() + text.size();

@@ -37,6 +37,7 @@ void addConvert(CLI::App& app, RunCommand& run);
 void addInspect(CLI::App& app, RunCommand& run);
 void addEvaluate(CLI::App& app, RunCommand& run);
 void addChart(CLI::App& app, RunCommand& run);
+void addPlan(CLI::App& app, RunCommand& run);
 void addTrain(CLI::App& app, RunCommand& run);
 void addExport(CLI::App& app, RunCommand& run);
 void addStress(CLI::App& app, RunCommand& run);

@@ -73,7 +73,10 @@ void addMethodOptions(CLI::App& command, MethodChoice& choice) {
     PlanChoice& plan = choice.plan;
     command.add_option("--plan", plan.name,
                        "which samples to take: eight | poster | slices16 | greedy, with :N for at "
-                       "most N, or a file (else the method's own)");
+                       "most N, or a file (:N for its first N) (else the method's own)");
+    command.add_option("--snap", plan.snap,
+                       "degrees within which a measured pair, in both directions, stands for a "
+                       "sample of the plan (10 for files; named plans: any)");
     command
         .add_option("--elevations", plan.elevations,
                     "plan poster: its two elevations in degrees (30,75)")

@@ -109,6 +109,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addInspect(app, run);
     abrdf::addEvaluate(app, run);
     abrdf::addChart(app, run);
+    abrdf::addPlan(app, run);
     abrdf::addTrain(app, run);
     abrdf::addExport(app, run);
     abrdf::addStress(app, run);

@@ -25,6 +25,9 @@ void addStress(CLI::App& app, RunCommand& runCommand) {
     command->add_option(
         "--plan", job->plan.name,
         "eight | slices16 | greedy, with :N for at most N samples, or a file (else eight)");
+    command->add_option("--snap", job->plan.snap,
+                        "degrees within which the grid must have a sample of the plan (10 for "
+                        "files; named plans: any)");
     command->add_option("--grid", job->grid, "directions of the database that is played")
         ->capture_default_str();
     command

@@ -16,6 +16,9 @@ void addTrain(CLI::App& app, RunCommand& runCommand) {
     command->add_option(
         "--plan", job->plan.name,
         "eight | poster | slices16 | greedy, with :N for at most N samples, or a file");
+    command->add_option("--snap", job->plan.snap,
+                        "degrees within which the grid must have a sample of the plan (10 for "
+                        "files; named plans: any)");
     command
         ->add_option("--grid", job->grid,
                      "of the database, and of the atlas: ubo81 | dome151 | utia288 | "

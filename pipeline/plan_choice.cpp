@@ -5,6 +5,7 @@
 #include "abrdf/output_file.h"
 #include "pipeline/plan_file.h"
 #include "pipeline/prior_cache.h"
+#include "stages/slice/snap_plan.h"
 #include "stages/train/greedy_pairs.h"
 
 #include <fmt/format.h>
@@ -108,6 +109,28 @@ SamplePlan greedyPlan(const PlanName& name, const AngularGrid& measured,
     return pairsPlan(full, grid, pairs);
 }
 
+/// The first samples of a plan in a file.
+SamplePlan filePlan(const PlanName& name) {
+    SamplePlan plan = planFromFile(name.base);
+    if (name.bound > 0 && name.bound < plan.samples.size()) {
+        plan.samples.resize(name.bound);
+        plan.name += fmt::format(":{}", name.bound);
+    }
+    return plan;
+}
+
+SamplePlan snapped(const SamplePlan& plan, double degrees, const AngularGrid& measured,
+                   std::span<const std::uint8_t> present, const MessageSink& warn) {
+    SnappedPlan result = snapPlan(plan, measured, present, radiansFromDegrees(degrees));
+    if (result.stoodIn > 0 && warn) {
+        warn(
+            fmt::format("{} samples of the plan {} have no image; the nearest measured pairs "
+                        "within {:g} degrees stand for them",
+                        result.stoodIn, plan.name, degrees));
+    }
+    return std::move(result.plan);
+}
+
 /// A choice with what it leaves open filled in.
 struct NamedChoice {
     PlanName name;
@@ -119,14 +142,22 @@ NamedChoice namedChoice(const Method& method, const PlanChoice& choice) {
     const std::string own = needsPoster || hasPosterNumbers(choice) ? "poster" : "eight";
     NamedChoice named;
     named.isFile = !choice.name.empty() && fs::is_regular_file(choice.name);
-    named.name = named.isFile ? PlanName{choice.name, 0}
-                              : planNameFrom(choice.name.empty() ? own : choice.name);
+    if (named.isFile) {
+        named.name = {choice.name, 0};
+    } else {
+        named.name = planNameFrom(choice.name.empty() ? own : choice.name);
+        named.isFile = named.name.bound > 0 && fs::is_regular_file(named.name.base);
+    }
     constexpr std::array kNames = {"eight", "poster", "slices16", "greedy"};
     if (!named.isFile && std::ranges::find(kNames, named.name.base) == kNames.end()) {
         throw std::invalid_argument(
             fmt::format("there is no plan '{}': use eight, poster, slices16 or greedy, with :N for "
                         "at most N samples, or a file from abrdf plan",
                         named.name.base));
+    }
+    if (choice.snap && !(*choice.snap >= 0 && *choice.snap <= 180)) {
+        throw std::invalid_argument(
+            fmt::format("--snap {:g} is no angle: give degrees from 0 to 180", *choice.snap));
     }
     if (hasPosterNumbers(choice) && named.name.base != "poster") {
         throw std::invalid_argument(
@@ -145,10 +176,14 @@ void checkPlanChoice(const Method& method, const PlanChoice& choice) {
 }
 
 SamplePlan planFor(const Method& method, const PlanChoice& choice, const AngularGrid& measured,
-                   bool anywhere, const ProgressSink& progress, const MessageSink& warn) {
+                   std::span<const std::uint8_t> present, bool anywhere,
+                   const ProgressSink& progress, const MessageSink& warn) {
     const auto [name, isFile] = namedChoice(method, choice);
-    if (name.base == "poster") return posterPlan(posterSlices(choice, name.bound));
-    if (method.wish == SampleWish::kSlices) {
+    const bool needsSlices = method.wish == SampleWish::kSlices;
+    if (name.base == "poster" && (needsSlices || !choice.snap)) {
+        return posterPlan(posterSlices(choice, name.bound));
+    }
+    if (needsSlices) {
         const std::size_t bound = name.bound > 0 ? name.bound : kPlanSamples;
         if (warn) {
             warn(
@@ -159,10 +194,13 @@ SamplePlan planFor(const Method& method, const PlanChoice& choice, const Angular
         return posterPlan(posterSlices(choice, bound));
     }
     const AngularGrid* snapTo = anywhere ? nullptr : &measured;
-    if (isFile) return planFromFile(choice.name);
-    if (name.base == "eight") return eightPlan(name.bound, snapTo);
-    if (name.base == "slices16") return sixteenSlicesPlan(name.bound, snapTo);
-    return greedyPlan(name, measured, progress, warn);
+    SamplePlan plan = isFile                    ? filePlan(name)
+                      : name.base == "eight"    ? eightPlan(name.bound, snapTo)
+                      : name.base == "poster"   ? posterPlan(posterSlices(choice, name.bound))
+                      : name.base == "slices16" ? sixteenSlicesPlan(name.bound, snapTo)
+                                                : greedyPlan(name, measured, progress, warn);
+    if (anywhere || (!isFile && !choice.snap)) return plan;
+    return snapped(plan, choice.snap.value_or(kFileSnap), measured, present, warn);
 }
 
 }  // namespace abrdf

@@ -94,6 +94,13 @@ SamplePlan planFromCsv(const fs::path& file) {
     return plan;
 }
 
+/// A TOML string.
+std::string quoted(const std::string& text) {
+    std::ostringstream stream;
+    stream << toml::value<std::string>(text);
+    return stream.str();
+}
+
 }  // namespace
 
 SamplePlan planFromFile(const fs::path& file) {
@@ -108,12 +115,18 @@ SamplePlan planFromFile(const fs::path& file) {
 std::string planText(const SamplePlan& plan, const PlanNotes& notes) {
     std::string text;
     for (const std::string& comment : notes.comments) text += fmt::format("# {}\n", comment);
-    text += fmt::format("name = \"{}\"\n", plan.name);
+    text += fmt::format("name = {}\n", quoted(plan.name));
     if (!notes.expectedError.empty()) {
         text += fmt::format(
             "# Delta E after each sample, as far as random materials tell\n"
             "expected_error = [{:.3f}]\n",
             fmt::join(notes.expectedError, ", "));
+    }
+    if (!notes.sweep.empty()) {
+        text += fmt::format(
+            "# an order to measure the samples in, from 0: light, sensor and sample turn little\n"
+            "sweep = [{}]\n",
+            fmt::join(notes.sweep, ", "));
     }
     text += "# theta_i, phi_i, theta_v, phi_v in degrees\nsamples = [\n";
     for (const LightAndView& s : plan.samples) {

@@ -17,8 +17,9 @@ SamplePlan planFromFile(const std::filesystem::path& file);
 
 /// What is known of a plan beside its samples.
 struct PlanNotes {
-    std::vector<double> expectedError;  ///< Delta E after each sample; empty: not known.
-    std::vector<std::string> comments;  ///< A line each.
+    std::vector<double> expectedError;       ///< Delta E after each sample; empty: not known.
+    std::vector<std::size_t> sweep = {};     ///< An order to measure in; empty: as they stand.
+    std::vector<std::string> comments = {};  ///< A line each.
 };
 
 /// The text of a plan file that planFromFile() reads.

@@ -10,7 +10,6 @@ namespace abrdf {
 
 namespace {
 
-
 /// The model for the samples that were planned, without those that are missing.
 std::shared_ptr<const PriorModel> modelFor(const MethodChoice& choice, const PlannedMethod& planned,
                                            const ProgressSink& progress, const MessageSink& warn) {
@@ -38,8 +37,8 @@ PlannedMethod planMethod(const MethodChoice& choice, const OpenedInput& input,
     PlannedMethod planned;
     planned.method = &methodFromName(choice.name);
     const AngularGrid& measured = input.description().grid;
-    planned.plan = planFor(*planned.method, choice.plan, measured, input.reader->table() != nullptr,
-                           progress, input.warn);
+    planned.plan = planFor(*planned.method, choice.plan, measured, input.description().present,
+                           input.reader->table() != nullptr, progress, input.warn);
     planned.samples = samplesFor(*planned.method, planned.plan, input, output);
     planned.input = sampledGrid(*planned.method, input, output);
     planned.output = output;

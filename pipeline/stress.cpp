@@ -84,7 +84,7 @@ std::vector<StressMethod> chosenMethods(const StressOptions& options, const Angu
                 fmt::format("the method {} reconstructs nothing, so nothing can fail it", name));
         }
         const bool ownPlan = method.wish == SampleWish::kSlices;
-        chosen.push_back({&method, planFor(method, ownPlan ? PlanChoice{} : options.plan, grid,
+        chosen.push_back({&method, planFor(method, ownPlan ? PlanChoice{} : options.plan, grid, {},
                                            false, progress, warn)});
     }
     return chosen;

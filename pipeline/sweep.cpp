@@ -81,7 +81,7 @@ Trial tryMethod(const MethodSize& size, const Subject& subject, const TrialOptio
     const Method& method = methodFromName(size.method);
     const bool needsSlices = method.wish == SampleWish::kSlices;
     const PlanChoice choice{fmt::format("{}:{}", needsSlices ? "poster" : "greedy", size.samples)};
-    const SamplePlan plan = planFor(method, choice, subject.grid, false, progress, warn);
+    const SamplePlan plan = planFor(method, choice, subject.grid, {}, false, progress, warn);
     ReconstructionTask task = taskOf(size, method, plan, subject, options);
     const SlicedTexels sliced = sliceTexels(subject.truth, task.samples, 0, 1);
     task.mean.assign(sliced.samples[0].begin(), sliced.samples[0].end());

@@ -21,7 +21,7 @@ nlohmann::ordered_json train(const TrainJob& job, const ProgressSink& progress,
     const AngularGrid measured = gridFromName(job.grid);
     const AngularGrid output = job.outputGrid.empty() ? measured : gridFromName(job.outputGrid);
     const Method& method = methodFromName("prior");
-    const SamplePlan plan = planFor(method, job.plan, measured, job.anywhere, progress, warn);
+    const SamplePlan plan = planFor(method, job.plan, measured, {}, job.anywhere, progress, warn);
     const SampleSet samples =
         job.anywhere ? exactSamples(plan.samples) : chooseSamples(plan, measured, method.wish);
     const std::vector<LightAndView> outputs = distinctPairs(pairsOf(output)).distinct;

@@ -3,6 +3,7 @@
 
 #include "abrdf/angular_grid.h"
 #include "abrdf/progress.h"
+#include "stages/train/conditioned_class.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,8 @@ struct GreedyChoice {
     std::vector<std::size_t> pairs;  ///< By falling worth: every prefix is the plan for its length.
     /// What is left of the weighted variance of the outputs after each choice, 1 .. 0.
     std::vector<double> variance;
+    /// The root of that variance as a mean over the grid's pairs, in L*.
+    std::vector<double> deviation;
 };
 
 /// Chooses the pairs of `grid` whose samples leave `prior` the least uncertainty, weighted by what
@@ -32,5 +35,10 @@ struct GreedyChoice {
 /// "samples". Throws std::invalid_argument, Cancelled.
 GreedyChoice greedyPairs(const AngularGrid& grid, std::span<const std::size_t> candidates,
                          const GreedyOptions& options, const ProgressSink& progress);
+
+/// The same among the candidates of `classes`, which have their materials already: `pairs` of the
+/// result, and options.first, count these candidates.
+GreedyChoice greedyPairs(std::vector<ConditionedClass> classes, const GreedyOptions& options,
+                         const ProgressSink& progress);
 
 }  // namespace abrdf

@@ -47,9 +47,8 @@ TEST_SUITE_BEGIN("cli");
 
 TEST_CASE("help is an answer, not a fault, for the program and for each command") {
     const TemporaryFolder folder;
-    for (const char* command :
-         {"", "convert", "inspect", "evaluate", "chart", "stress", "preview", "report", "run", "merge",
-          "demo"}) {
+    for (const char* command : {"", "convert", "inspect", "evaluate", "chart", "plan", "stress",
+                                "preview", "report", "run", "merge", "demo"}) {
         const ProgramRun run = runProgram(folder.path(), std::string(command) + " --help");
         CHECK(run.status == 0);
         CHECK(contains(run.out, "Usage"));
@@ -229,6 +228,39 @@ TEST_CASE("a plan in a file is taken as it stands") {
     const ProgramRun bad = convert("bad.csv");
     CHECK(bad.status == 1);
     CHECK(contains(bad.err, "bad.csv:2"));
+    const ProgramRun first = convert("few.csv:9");
+    CHECK(nlohmann::json::parse(first.out)["plan"]["images_read"] == 4);
+    std::ofstream(folder.path() / "far.csv") << "30,0,30,180\n75,7,75,0\n88,0,30,0\n";
+    const ProgramRun far = convert("far.csv");
+    CHECK(far.status == 1);
+    CHECK(contains(far.err, "1 of its 3 samples has no measured pair within 10 degrees"));
+    CHECK(contains(far.err, "theta_i 88"));
+    CHECK(contains(convert("far.csv --snap 5").err, "2 of its 3"));
+    CHECK(convert("far.csv --snap 20").status == 0);
+    CHECK(convert("far.csv --snap 200").status == 2);
+    CHECK(convert("nothing.toml:9").status == 2);
+}
+
+TEST_CASE("what abrdf plan writes is taken as a plan, whole or its beginning") {
+    const TemporaryFolder folder;
+    const std::string zip = "'" + demoZip().string() + "'";
+    const ProgramRun planned =
+        runProgram(folder.path(),
+                   "plan --samples 14 --materials 20 --input " + zip + " -o plan.toml --json -q");
+    REQUIRE_MESSAGE(planned.status == 0, planned.err);
+    const auto report = nlohmann::json::parse(planned.out);
+    CHECK(report["candidates"] == 6561);
+    CHECK(report["expected_error"].size() == 14);
+    for (const auto& [plan, images] : {std::pair{"plan.toml", 14}, {"plan.toml:9", 9}}) {
+        const ProgramRun run = runProgram(
+            folder.path(), "convert " + zip + " -o a.exr --dry-run " + "--json --plan " + plan);
+        CHECK(nlohmann::json::parse(run.out)["plan"]["images_read"] == images);
+    }
+    CHECK(runProgram(folder.path(), "plan -o a.toml --samples 0").status == 2);
+    CHECK(runProgram(folder.path(), "plan -o a.toml --elevations 30,60").status == 2);
+    CHECK(runProgram(folder.path(), "plan -o a.toml --grid ubo81 --input x.zip").status == 2);
+    CHECK(runProgram(folder.path(), "plan -o a.toml --input nothing.zip").status == 1);
+    CHECK_FALSE(fs::exists(folder.path() / "a.toml"));
 }
 
 TEST_CASE("a TOML file gives the same options, and the command line wins over it") {
