@@ -70,9 +70,9 @@ Rgb lookUp(const ModelAtlas& atlas, const PairInterpolation& interpolation, Dire
         throw std::out_of_range(fmt::format("texel {},{} is not in an atlas of {} x {} texels",
                                             texelX, texelY, layout.texelsWide, layout.texelsHigh));
     }
-    const auto texel = static_cast<std::size_t>(texelY) *
-                           static_cast<std::size_t>(layout.texelsWide) +
-                       static_cast<std::size_t>(texelX);
+    const auto texel =
+        static_cast<std::size_t>(texelY) * static_cast<std::size_t>(layout.texelsWide) +
+        static_cast<std::size_t>(texelX);
     const TexelCodes codes = atlas.texels.unpacked(std::span(&texel, 1));
     Rgb sum;
     for (const WeightedPair& term : interpolation.weights({light, view})) {

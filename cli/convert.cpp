@@ -121,9 +121,10 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
             ->capture_default_str();
     command->add_option("--budget", options->budget,
                         "choose the most accurate method within this time an ABRDF: 50us, 1ms");
-    command->add_option("--tolerance", job.limits.tolerance,
-                        "choose the fewest samples whose expected mean Delta E is within it, and of each "
-                        "texel the smallest model whose estimated one is");
+    command->add_option(
+        "--tolerance", job.limits.tolerance,
+        "choose the fewest samples whose expected mean Delta E is within it, and of each "
+        "texel the smallest model whose estimated one is");
     command
         ->add_option("--exposure", job.method.options.exposure,
                      "factor on the values at which the tolerance is meant")
@@ -140,8 +141,10 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();
     addPlaneOptions(*command, options->plane);
-    command->add_option("--layout", options->layout,
-                        "angular | spatial | model: few numbers a texel, see abrdf expand")->capture_default_str();
+    command
+        ->add_option("--layout", options->layout,
+                     "angular | spatial | model: few numbers a texel, see abrdf expand")
+        ->capture_default_str();
     const std::map<std::string, PixelChoice> pixels = {
         {"auto", PixelChoice::kAuto}, {"half", PixelChoice::kHalf}, {"float", PixelChoice::kFloat}};
     command->add_option("--pixel", job.pixel, "auto | half | float")

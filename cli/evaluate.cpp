@@ -28,6 +28,10 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
         ->capture_default_str();
     addPlaneOptions(*command, options->plane);
     command
+        ->add_option("--tolerance", options->job.choice.options.tolerance,
+                     "prior: of each texel the smallest model whose estimated Delta E is within")
+        ->check(CLI::PositiveNumber);
+    command
         ->add_option("--exposure", options->job.exposure, "factor on the values, natural exposure")
         ->capture_default_str();
     command->add_option("--sheet", options->job.sheet, "contact sheet, a PNG");

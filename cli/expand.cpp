@@ -29,11 +29,11 @@ int run(Options options, const SharedOptions& shared, const ProgressSink& progre
         return 0;
     }
     const auto report = expand(job, progress);
-    const std::string text = fmt::format(
-        "{}: {} x {} texels of {} lights x {} views in {:.2f} s\n",
-        report["output"]["path"].get<std::string>(), report["texels"][0].get<int>(),
-        report["texels"][1].get<int>(), report["grid"]["lights"].get<int>(),
-        report["grid"]["views"].get<int>(), report["time"]["total"].get<double>());
+    const std::string text =
+        fmt::format("{}: {} x {} texels of {} lights x {} views in {:.2f} s\n",
+                    report["output"]["path"].get<std::string>(), report["texels"][0].get<int>(),
+                    report["texels"][1].get<int>(), report["grid"]["lights"].get<int>(),
+                    report["grid"]["views"].get<int>(), report["time"]["total"].get<double>());
     deliver(report, shared.quiet ? "" : text, shared);
     return 0;
 }

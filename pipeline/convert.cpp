@@ -123,14 +123,8 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
                               std::size_t count, TexelMaker::Buffers& texels) {
             maker.make(band, inBand, count, texels);
         };
-        const AtlasRun run{table,
-                           make,
-                           maker.pairs,
-                           job.layout(),
-                           memory,
-                           written.type,
-                           endWhereCut,
-                           scratchFolder(options.output)};
+        const AtlasRun run{table,  make,         maker.pairs, job.layout(),
+                           memory, written.type, endWhereCut, scratchFolder(options.output)};
         const auto told = [&](const TilesAdded& added) {
             journal.add(added);
             add(added.counts);

@@ -3,6 +3,7 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "pipeline/estimate_report.h"
 #include "pipeline/evaluate_report.h"
 #include "pipeline/evaluate_sheet.h"
 #include "pipeline/method_time.h"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace abrdf {
@@ -63,7 +65,8 @@ std::vector<std::uint8_t> maskOf(const Reference& reference,
 struct Reconstruction {
     PlannedMethod planned;
     FoundPlane found;
-    AbrdfTile abrdfs;  ///< Linear Rec.709.
+    AbrdfTile abrdfs;              ///< Linear Rec.709.
+    std::vector<float> estimates;  ///< A bound of each texel's Delta E; may be empty.
     double microsecondsPerAbrdf = 0;
     double multiplyAdds = 0;
     std::string remark;  ///< As Reconstructor's.
@@ -84,12 +87,13 @@ Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input,
     const auto all = [&](int, int) {
         return reconstructTexels(sliced.samples, grid, *reconstructor);
     };
-    result.abrdfs =
+    ReconstructedTexels made =
         plane.unshift && result.found.plane.height != 0
             ? UnshiftedTexels(result.found.plane, input.description(), texels, grid, all)
                   .rows(0, texels.height)
-                  .abrdfs
-            : all(0, texels.height).abrdfs;
+            : all(0, texels.height);
+    result.abrdfs = std::move(made.abrdfs);
+    result.estimates = std::move(made.estimates);
     const ColorTransform toRec709 = input.colors.transform("scene_linear", "Linear Rec.709 (sRGB)");
     forEachTexelBlock(result.abrdfs.texelCount(), 1, [&](std::size_t texel, std::size_t) {
         toRec709.apply(result.abrdfs[texel]);
@@ -99,6 +103,30 @@ Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input,
     result.multiplyAdds = reconstructor->multiplyAdds();
     result.remark = reconstructor->remark();
     return result;
+}
+
+/// Beside the estimate: the share of texels whose true error is within it.
+void addObeyed(const Reconstruction& reconstruction, const Reference& reference,
+               const std::vector<std::uint8_t>& mask, double exposure, ordered_json& result) {
+    addEstimate(reconstruction.estimates, result);
+    if (!result.contains("estimate")) return;
+    std::vector<std::uint8_t> obeys(reconstruction.estimates.size());
+    forEachTexelBlock(obeys.size(), 1, [&](std::size_t t, std::size_t) {
+        const std::vector<float> errors =
+            deltaEMap(reference.truth[t], reconstruction.abrdfs[t], exposure);
+        double sum = 0;
+        std::size_t count = 0;
+        for (std::size_t pair = 0; pair < errors.size(); ++pair) {
+            if (mask[pair] == 0 || !isFinite(reference.truth[t][pair])) continue;
+            sum += static_cast<double>(errors[pair]);
+            ++count;
+        }
+        const double mean = sum / static_cast<double>(std::max<std::size_t>(count, 1));
+        obeys[t] = mean <= static_cast<double>(reconstruction.estimates[t]) ? 1 : 0;
+    });
+    result["estimate"]["obeyed"] =
+        static_cast<double>(std::accumulate(obeys.begin(), obeys.end(), std::size_t{0})) /
+        static_cast<double>(obeys.size());
 }
 
 ordered_json measured(const Reconstruction& reconstruction, const Reference& reference,
@@ -130,6 +158,9 @@ ordered_json measured(const Reconstruction& reconstruction, const Reference& ref
     result["images_read"] = samples.pairs.size();
     result.update(json[0]);
     result["unsampled"] = json[1];
+    if (!options.plane.unshift || reconstruction.found.plane.height == 0) {
+        addObeyed(reconstruction, reference, masks[0], options.exposure, result);
+    }
     result["plane"] = jsonOf(reconstruction.found, input.description().grid);
     result["microseconds_per_abrdf"] = reconstruction.microsecondsPerAbrdf;
     result["multiply_adds"] = reconstruction.multiplyAdds;

@@ -71,6 +71,14 @@ std::string tableOf(const ordered_json& report) {
             number(r, "microseconds_per_abrdf"));
     }
     const ordered_json& results = report["results"];
+    for (const ordered_json& r : results) {
+        if (!r.contains("estimate")) continue;
+        const ordered_json& e = r["estimate"];
+        table += fmt::format(
+            "{} {} expects at most {:.2f} dE76 of a texel (95 %: {:.2f}); {:.0f} % obey it\n",
+            r["method"].get<std::string>(), r["plan"].get<std::string>(), number(e, "delta_e"),
+            number(e, "delta_e_95"), 100 * number(e, "obeyed"));
+    }
     if (!results.empty() && results[0].contains("texels")) table += texelTableOf(results);
     return table;
 }

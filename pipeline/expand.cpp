@@ -106,8 +106,8 @@ class Expander {
     std::vector<std::vector<WeightedPair>> weights_;  ///< Empty where the grids are one.
 };
 
-AtlasHeader headerOf(const ModelAtlas& model, const AngularGrid& grid,
-                     const ExpandOptions& options, const ColorConfig& colors) {
+AtlasHeader headerOf(const ModelAtlas& model, const AngularGrid& grid, const ExpandOptions& options,
+                     const ColorConfig& colors) {
     AtlasHeader header = model.header;
     header.grid = grid;
     header.layout.kind = options.layout;
@@ -145,13 +145,11 @@ std::optional<Expanded> expandAs(PixelType type, const ModelAtlas& model, const 
                                  const AtlasHeader& header, const ExpandOptions& options,
                                  const ProgressSink& progress) {
     const MemoryPlan memory = memoryOf(model, header, options);
-    const TransposedTable none(0, sizeof(Rgb),
-                               bandBegins(texelOrderOf(header.layout),
-                                          memory.runsPerBand * memory.runTiles),
-                               {});
+    const TransposedTable none(
+        0, sizeof(Rgb),
+        bandBegins(texelOrderOf(header.layout), memory.runsPerBand * memory.runTiles), {});
     const bool hasEstimate = !model.estimates.empty();
-    AtlasWriter writer(options.output, header,
-                       {type, options.compression, false, {}, hasEstimate});
+    AtlasWriter writer(options.output, header, {type, options.compression, false, {}, hasEstimate});
     AtlasRun run{none,
                  [&](std::span<const Rgb>, std::size_t, std::size_t first, std::size_t count,
                      TexelMaker::Buffers& texels) { expander.make(first, count, texels); },

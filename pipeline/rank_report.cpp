@@ -43,8 +43,7 @@ RankFacts rankFacts(const Reconstructor& reconstructor, const TexelSlicer& slice
         }
     }
     const TexelModel& model = *reconstructor.model();
-    found.cost = cost / static_cast<double>(found.texels) /
-                 model.multiplyAdds(model.columns());
+    found.cost = cost / static_cast<double>(found.texels) / model.multiplyAdds(model.columns());
     for (const auto& [rank, count] : counts) found.ranks[nameOf(rank, model)] = count;
     return found;
 }

@@ -114,10 +114,9 @@ bool writeAngular(const AtlasRun& run, AtlasWriter& writer, const TilesSink& tol
         for (std::size_t t = tiles.begin; t < tiles.end; ++t) {
             const TileOrder::Tile tile = order.tile(t);
             slot.packed.resize(packedBytes(writer, t, run.type));
-            slot.cut += packAngularTile(
-                std::span<const Rgb>(slot.texels.abrdfs)
-                    .subspan(texel * run.pairs, tile.cells() * run.pairs),
-                run.layout, tile, run.type, slot.packed);
+            slot.cut += packAngularTile(std::span<const Rgb>(slot.texels.abrdfs)
+                                            .subspan(texel * run.pairs, tile.cells() * run.pairs),
+                                        run.layout, tile, run.type, slot.packed);
             writer.encode(t, slot.packed, slot.chunks);
             texel += tile.cells();
         }

@@ -34,8 +34,8 @@ WrittenModel writeModel(const ConvertJob& job, const ConvertOptions& options,
     }
     const std::size_t texels = job.layout().texelCount();
     ModelAtlas atlas{job.header, *reconstructor.model(),
-                     PackedCodes(reconstructor.model()->rule(), texels),
-                     std::vector<float>(texels), std::vector<float>(texels)};
+                     PackedCodes(reconstructor.model()->rule(), texels), std::vector<float>(texels),
+                     std::vector<float>(texels)};
     std::vector<char> buffer;
     std::atomic<std::size_t> done = 0;
     for (std::size_t b = 0; b < table.bands(); ++b) {
@@ -52,18 +52,17 @@ WrittenModel writeModel(const ConvertJob& job, const ConvertOptions& options,
             atlas.texels.store(first + begin, reconstructor.encode(samples, estimates));
             for (std::size_t t = begin; t < end; ++t) {
                 atlas.most[first + t] =
-                    kMostOfSamples *
-                    largestOf(std::span(samples).subspan((t - begin) * slicer.sampleCount(),
-                                                         slicer.sampleCount()));
+                    kMostOfSamples * largestOf(std::span(samples).subspan(
+                                         (t - begin) * slicer.sampleCount(), slicer.sampleCount()));
             }
             if (progress) progress({"reconstruct", "texels", done += end - begin, texels});
         };
         forEachTexelBlock(count, reconstructor.texelsAtOnce(), run);
     }
     WrittenModel written;
-    written.bytes = writeModelAtlas(
-        options.output, atlas,
-        options.pixel == PixelChoice::kHalf ? PixelType::kHalf : PixelType::kFloat);
+    written.bytes =
+        writeModelAtlas(options.output, atlas,
+                        options.pixel == PixelChoice::kHalf ? PixelType::kHalf : PixelType::kFloat);
     written.estimates = std::move(atlas.estimates);
     return written;
 }

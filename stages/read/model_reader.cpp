@@ -31,7 +31,8 @@ struct Plane {
 
 class ModelFile {
   public:
-    explicit ModelFile(const std::filesystem::path& path) : name_(path.string()), file_(path.c_str(), 0) {
+    explicit ModelFile(const std::filesystem::path& path)
+        : name_(path.string()), file_(path.c_str(), 0) {
         for (int i = 0; i < file_.parts(); ++i) {
             if (file_.header(i).hasName()) parts_[file_.header(i).name()] = i;
         }
@@ -117,9 +118,8 @@ TexelBasis basisFrom(ModelFile& file, const char* luminance, const char* chroma,
         file.fail("the parts of its basis do not fit one another");
     }
     for (std::size_t v = 0; v < rule.vectors(); ++v) {
-        std::vector<float>& to = v < rule.logVectors()
-                                     ? basis.logCenters[v]
-                                     : basis.chromaCenters[v - rule.logVectors()];
+        std::vector<float>& to = v < rule.logVectors() ? basis.logCenters[v]
+                                                       : basis.chromaCenters[v - rule.logVectors()];
         for (std::size_t row = 0; row < rows; ++row) {
             to.push_back(centers.values[row * centers.width + v]);
         }
@@ -156,9 +156,9 @@ TexelModel modelFrom(ModelFile& file, const AngularGrid& grid) {
 }
 
 PackedCodes texelsFrom(ModelFile& file, const TexelModel& model, std::size_t count) {
-    const auto maps = file.maps(
-        kTexelsPart,
-        {"rank", "scale.Y", "scale.R", "scale.G", "scale.B", "mean.R", "mean.G"}, count);
+    const auto maps =
+        file.maps(kTexelsPart,
+                  {"rank", "scale.Y", "scale.R", "scale.G", "scale.B", "mean.R", "mean.G"}, count);
     const std::vector<float>& ranks = maps[0];
     const std::size_t small = model.small() != nullptr ? model.small()->luminance.columns() : 0;
     std::size_t largest = 0;
@@ -205,9 +205,8 @@ ModelAtlas readModelAtlas(const std::filesystem::path& path) {
         ModelAtlas atlas;
         atlas.header = atlasHeaderFrom(file.front(), path.string());
         if (atlas.header.layout.kind != AtlasKind::kModel) {
-            throw std::runtime_error(fmt::format(
-                "{}: is an atlas of layout {}, not a model", path.string(),
-                nameOf(atlas.header.layout.kind)));
+            throw std::runtime_error(fmt::format("{}: is an atlas of layout {}, not a model",
+                                                 path.string(), nameOf(atlas.header.layout.kind)));
         }
         const std::size_t count = atlas.header.layout.texelCount();
         atlas.model = modelFrom(file, atlas.header.grid);

@@ -91,11 +91,10 @@ ExrPart coefficientsPart(const ModelAtlas& atlas, PixelType type) {
 ExrPart matrixPart(const std::string& name, const PackedMatrix& matrix) {
     const std::size_t columns = matrix.columns();
     ExrPart part = partOf(name, static_cast<int>(columns), static_cast<int>(matrix.rows()));
-    part.channels = {
-        {kBasisChannel,
-         channelOf(matrix.rows() * columns,
-                   [&](auto i) { return matrix.at(i / columns, i % columns); }),
-         false}};
+    part.channels = {{kBasisChannel,
+                      channelOf(matrix.rows() * columns,
+                                [&](auto i) { return matrix.at(i / columns, i % columns); }),
+                      false}};
     return part;
 }
 

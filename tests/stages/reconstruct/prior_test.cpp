@@ -4,6 +4,8 @@
 #include "abrdf/pair_features.h"
 #include "abrdf/random.h"
 #include "stages/measure/measures.h"
+#include "stages/reconstruct/leave_out.h"
+#include "stages/reconstruct/low_rank.h"
 #include "stages/reconstruct/prior_map.h"
 #include "stages/reconstruct/prior_material.h"
 #include "stages/reconstruct/reconstructor.h"
@@ -11,6 +13,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -267,6 +270,73 @@ TEST_CASE("a low rank is exact for the material's mean, and costs less") {
     const PriorModel& model = *smallPrior().model;
     CHECK(PriorMaterial(model, rows(), samples, {.rank = 4}).multiplyAdds() <
           0.5 * PriorMaterial(model, rows(), samples, {}).multiplyAdds());
+}
+
+TEST_CASE("basis and projection of full rank are the map, and the first numbers are the best") {
+    Random random(3);
+    Eigen::MatrixXf matrix(40, 9);
+    for (float& x : matrix.reshaped()) x = static_cast<float>(random.uniform(-1, 1));
+    Eigen::MatrixXd root(9, 9);
+    for (double& x : root.reshaped()) x = random.uniform(-1, 1);
+    const Eigen::MatrixXd covariance = root * root.transpose() + Eigen::MatrixXd::Identity(9, 9);
+    const NestedBasis whole = nestedBasis(matrix, covariance, 9);
+    CHECK((whole.basis * whole.projection - matrix).norm() < 1e-4F * matrix.norm());
+    // The error of vectors of this covariance: what the singular values say, and no smaller.
+    const Eigen::MatrixXd colored =
+        matrix.cast<double>() * covariance.llt().matrixL().toDenseMatrix();
+    const Eigen::VectorXd values = colored.jacobiSvd().singularValues();
+    for (const Eigen::Index r : {2, 5}) {
+        const Eigen::MatrixXd left =
+            (matrix - whole.basis.leftCols(r) * whole.projection.topRows(r)).cast<double>() *
+            covariance.llt().matrixL().toDenseMatrix();
+        CHECK(left.squaredNorm() ==
+              doctest::Approx(values.tail(9 - r).squaredNorm()).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("a tolerance takes smaller models the larger it is, and its bound grows with them") {
+    const std::vector<Rgb> samples = smallPrior().samplesOf(plastic);
+    const PriorModel& model = *smallPrior().model;
+    std::uint16_t last = 0xffff;
+    for (const double tolerance : {1e-3, 1.0, 8.0, 60.0}) {
+        const PriorMaterial material(model, rows(), samples,
+                                     {.centered = false, .tolerance = tolerance});
+        float bound = 0;
+        const TexelCodes codes = material.encode(samples, {&bound, 1});
+        CHECK(codes.ranks[0] <= last);
+        last = codes.ranks[0];
+        const bool isWhole = codes.ranks[0] == material.ranks().back();
+        CHECK((isWhole || bound <= static_cast<float>(tolerance)));
+        CHECK(bound > 0);
+    }
+    CHECK(last == kConstantRank);
+}
+
+TEST_CASE("a whole texel of a ladder has the bits of a model without one") {
+    const std::vector<Rgb> samples = smallPrior().samplesOf(plastic);
+    const std::vector<Rgb> plain = estimated(samples);
+    const std::vector<Rgb> whole = estimated(samples, {.tolerance = 1e-6});
+    CHECK(plain == whole);
+}
+
+TEST_CASE("left-out samples are predicted as by the closed form") {
+    const std::vector<Rgb> samples = smallPrior().samplesOf(plastic);
+    const PriorModel& model = *smallPrior().model;
+    const std::vector<PriorTerm> terms = PriorMaterial(model, rows(), samples, {}).terms();
+    Eigen::VectorXd luminance(static_cast<Eigen::Index>(samples.size()));
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        luminance(static_cast<Eigen::Index>(k)) =
+            static_cast<double>(samples[k].r + samples[k].g + samples[k].b) / 3;
+    }
+    SampleBlocks single;
+    for (Eigen::Index k = 0; k < luminance.size(); ++k) single.push_back({k});
+    const LeaveOutMap map = leaveOutMap(model, terms, single);
+    const LogSamples logs = logSamples(model, luminance);
+    const Eigen::VectorXd predicted =
+        ((logs.z - (map.matrix * logs.z - map.offset)).array().exp() - kPriorFloor).max(0.0) *
+        logs.scale;
+    const Eigen::VectorXd closed = leaveOneOut(model, terms, luminance);
+    CHECK((predicted - closed).cwiseAbs().maxCoeff() < 1e-9 * closed.maxCoeff());
 }
 
 TEST_CASE("a clipped highlight is put back above the clip, and no other sample is touched") {
