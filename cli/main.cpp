@@ -70,7 +70,8 @@ std::string methodList() {
 /// "convert, inspect or demo".
 std::string commandNames(const CLI::App& app) {
     std::string names;
-    const auto commands = app.get_subcommands({});
+    const auto commands =
+        app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
     for (std::size_t i = 0; i < commands.size(); ++i) {
         names += (i == 0 ? "" : i + 1 == commands.size() ? " or " : ", ") + commands[i]->get_name();
     }
@@ -117,6 +118,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addMerge(app, run);
     abrdf::addRun(app, run);
     abrdf::addDemo(app, run);
+    abrdf::addDescribe(app, run);
     app.require_subcommand(0, 1);
     try {
         words = abrdf::withConfigFile(std::move(words));
