@@ -13,6 +13,7 @@
 #include <spdlog/spdlog.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 
@@ -91,8 +92,9 @@ int runChosen(const abrdf::RunCommand& run, SharedOptions& shared) {
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
     const abrdf::ThreadLimit limit(shared.threads);
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
+    // As errors of the write that meets them, they leave no half file behind.
+    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
     return run(shared, abrdf::makeProgressDisplay(style));
 }
 
@@ -142,9 +144,8 @@ int runProgram(std::vector<std::string> words) {
     return runChosen(run, shared);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The exit status; what failed stands on stderr.
+int statusOf(int argc, char** argv) {
     try {
         return runProgram(std::vector<std::string>(argv + 1, argv + argc));
     } catch (const abrdf::Cancelled& cancelled) {
@@ -156,9 +157,26 @@ int main(int argc, char** argv) {
         std::cerr << "abrdf: " << error.what() << "\n";
         return kWrongUsage;
     } catch (const std::bad_alloc&) {
-        std::cerr << "abrdf: there is not enough memory for this job; choose fewer texels\n";
+        std::cerr
+            << "abrdf: there is not enough memory for this job; give it less --memory to keep "
+               "within, fewer --threads or fewer --texels\n";
     } catch (const std::exception& error) {
         std::cerr << "abrdf: " << error.what() << "\n";
     }
     return kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int status = statusOf(argc, argv);
+#ifdef __SANITIZE_ADDRESS__
+    return status;  // Leaks are looked for at exit.
+#else
+    // OpenBLAS, which OpenImageIO brings along, would wait at exit for a thread of its own, for
+    // ever where that got no memory. Nothing here needs the libraries' destructors.
+    std::cout.flush();
+    std::fflush(nullptr);
+    std::_Exit(status);
+#endif
 }
