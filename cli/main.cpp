@@ -12,10 +12,14 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <string_view>
+#include <system_error>
 
 namespace {
 
@@ -144,6 +148,32 @@ int runProgram(std::vector<std::string> words) {
     return runChosen(run, shared);
 }
 
+constexpr const char* kNoMemory =
+    "there is not enough memory for this job; give it less --memory to keep within, fewer "
+    "--threads "
+    "or fewer --texels";
+
+/// Whether the system gave no memory, or no thread, which takes some. TBB says the latter in words.
+bool isLackOfMemory(const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+           (system != nullptr &&
+            (system->code().value() == EAGAIN || system->code().value() == ENOMEM)) ||
+           std::string_view(error.what()).starts_with("pthread_create");
+}
+
+/// Where an exception has nobody to catch it, as in the libraries' own threads.
+[[noreturn]] void onTerminate() {
+    try {
+        if (std::current_exception()) std::rethrow_exception(std::current_exception());
+    } catch (const std::exception& error) {
+        std::cerr << "abrdf: " << (isLackOfMemory(error) ? kNoMemory : error.what()) << "\n";
+        std::_Exit(kFailed);
+    } catch (...) {
+    }
+    std::abort();
+}
+
 /// The exit status; what failed stands on stderr.
 int statusOf(int argc, char** argv) {
     try {
@@ -156,12 +186,8 @@ int statusOf(int argc, char** argv) {
     } catch (const std::invalid_argument& error) {
         std::cerr << "abrdf: " << error.what() << "\n";
         return kWrongUsage;
-    } catch (const std::bad_alloc&) {
-        std::cerr
-            << "abrdf: there is not enough memory for this job; give it less --memory to keep "
-               "within, fewer --threads or fewer --texels\n";
     } catch (const std::exception& error) {
-        std::cerr << "abrdf: " << error.what() << "\n";
+        std::cerr << "abrdf: " << (isLackOfMemory(error) ? kNoMemory : error.what()) << "\n";
     }
     return kFailed;
 }
@@ -169,6 +195,7 @@ int statusOf(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::set_terminate(onTerminate);
     const int status = statusOf(argc, argv);
 #ifdef __SANITIZE_ADDRESS__
     return status;  // Leaks are looked for at exit.

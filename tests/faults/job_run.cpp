@@ -47,14 +47,13 @@ void limit(__rlimit_resource resource, long bytes) {
     std::vector<char*> arguments{const_cast<char*>(gProgram.c_str())};
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    if (!attack.fault.empty()) {
-        setenv("LD_PRELOAD", gShim.c_str(), 1);
-        setenv("ABRDF_FAULT", attack.fault.c_str(), 1);
-    }
+    const bool isBounded = attack.moreBytes >= 0;
+    if (isBounded || !attack.fault.empty()) setenv("LD_PRELOAD", gShim.c_str(), 1);
+    if (!attack.fault.empty()) setenv("ABRDF_FAULT", attack.fault.c_str(), 1);
+    if (isBounded) setenv("ABRDF_MORE_MEMORY", std::to_string(attack.moreBytes).c_str(), 1);
     if (chdir(folder.c_str()) != 0) _exit(126);
     if (attack.asNobody && (setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(126);
     limit(RLIMIT_FSIZE, attack.fileBytes);
-    limit(RLIMIT_AS, attack.addressBytes);
     execv(gProgram.c_str(), arguments.data());
     _exit(126);
 }

@@ -12,7 +12,7 @@ struct Attack {
     int signal = 0;                        ///< Sent `after` seconds.
     double after = 0;                      ///< Seconds from its start.
     long fileBytes = -1;                   ///< RLIMIT_FSIZE.
-    long addressBytes = -1;                ///< RLIMIT_AS.
+    long moreBytes = -1;                   ///< Address space beyond what the libraries take.
     bool asNobody = false;                 ///< Without root's right to open everything.
     std::string fault;                     ///< As shim.cpp takes it.
     std::vector<std::string> environment;  ///< "TMPDIR=/x".

@@ -6,9 +6,12 @@
 // path holds PATTERN. ACTION: eio enospc eacces (the call fails so), kill and killafter (SIGKILL
 // before and after it), cut and remove (the file is cut to nothing or removed before it; mmap:
 // after it).
+//   ABRDF_MORE_MEMORY=BYTES
+// bounds the address space (RLIMIT_AS) to so much more than the libraries take, as main() begins.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -109,6 +112,9 @@ Result through(const char* kind, const std::string& path, Result failure, const 
 
 extern "C" {
 
+int __libc_start_main(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(), void (*)(),
+                      void*);
+
 ssize_t read(int file, void* bytes, size_t count) {
     STANDS_FOR(read);
     return through<ssize_t>("read", pathOf(file), -1, [&] { return next(file, bytes, count); });
@@ -183,6 +189,25 @@ void* mmap(void* place, size_t size, int protection, int flags, int file, off_t 
         if (isMeant("mmap", path)) before(path);
     }
     return result;
+}
+
+using Main = int (*)(int, char**, char**);
+
+// What the libraries do before main(), among it crashes in too little memory, is theirs.
+int __libc_start_main(Main main, int argc, char** argv, void (*first)(), void (*last)(),
+                      void (*linkerLast)(), void* stackEnd) {
+    if (const char* more = std::getenv("ABRDF_MORE_MEMORY"); more != nullptr) {
+        long pages = 0;
+        if (FILE* sizes = std::fopen("/proc/self/statm", "r"); sizes != nullptr) {
+            if (std::fscanf(sizes, "%ld", &pages) != 1) abort();
+            std::fclose(sizes);
+        }
+        const auto bytes = static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE) + std::atol(more));
+        const rlimit bound{bytes, bytes};
+        setrlimit(RLIMIT_AS, &bound);
+    }
+    STANDS_FOR(__libc_start_main);
+    return next(main, argc, argv, first, last, linkerLast, stackEnd);
 }
 
 }  // extern "C"
