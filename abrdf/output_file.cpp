@@ -67,15 +67,30 @@ void OutputFile::fail(const char* what) const {
     throw std::runtime_error(fmt::format("{}: {}", path_.string(), systemFault(what, errno)));
 }
 
-void OutputFile::nameTemporary() const {
+void OutputFile::putInPlace() {
+    if (!isNameless_) {
+        if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in place");
+        return;
+    }
+    // Only a name can replace a name. This one is the same for all processes: what a killed one
+    // left goes, and where another one was faster, this one's file gets the name again.
+    const fs::path whole =
+        path_.parent_path() / fmt::format(".{}.abrdf-whole", path_.filename().string());
     const std::string link = linkOf(fileno(file_));
-    const auto name = [&] {
-        return linkat(AT_FDCWD, link.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) == 0;
-    };
-    if (name()) return;
-    // A killed process of the same number may have left one.
-    if (errno != EEXIST || unlink(temporary_.c_str()) != 0 || !name())
+    while (true) {
+        if (linkat(AT_FDCWD, link.c_str(), AT_FDCWD, whole.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+            const bool isThere = errno == EEXIST;
+            if (!isThere || (unlink(whole.c_str()) != 0 && errno != ENOENT))
+                fail("cannot be put in place");
+            continue;
+        }
+        if (std::rename(whole.c_str(), path_.c_str()) == 0) return;
+        const int error = errno;
+        if (error == ENOENT) continue;
+        unlink(whole.c_str());
+        errno = error;
         fail("cannot be put in place");
+    }
 }
 
 void OutputFile::write(std::span<const char> bytes) {
@@ -99,9 +114,7 @@ void OutputFile::commit() {
     // A full disk may show itself only here.
     if (std::ferror(file_) != 0 || std::fflush(file_) != 0 || fsync(fileno(file_)) != 0)
         fail("cannot be written");
-    if (isNameless_) nameTemporary();
-    isNameless_ = false;
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in place");
+    putInPlace();
     temporary_.clear();
     std::FILE* file = file_;
     file_ = nullptr;

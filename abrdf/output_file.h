@@ -39,7 +39,7 @@ class OutputFile {
 
   private:
     [[noreturn]] void fail(const char* what) const;
-    void nameTemporary() const;
+    void putInPlace();
 
     std::filesystem::path path_;
     std::filesystem::path temporary_;

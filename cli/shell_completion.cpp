@@ -84,8 +84,8 @@ std::string zshOption(const DescribedOption& option) {
     for (const std::string& name : option.names) {
         const std::string before =
             option.many ? "*" : fmt::format("({})", fmt::join(option.names, " "));
-        specifications +=
-            fmt::format("        {} \\\n", quoted(before + name + "[" + text + "]" + value));
+        specifications += fmt::format("        {} \\\n",
+                                      quoted(fmt::format("{}{}[{}]{}", before, name, text, value)));
     }
     return specifications;
 }

@@ -51,10 +51,18 @@ TEST_CASE("without commit() there is no file, and no temporary stays") {
     CHECK(filesIn(folder.path()) == 0);
 }
 
-TEST_CASE("what a killed process of the same number left is no obstacle, and goes") {
+TEST_CASE(
+    "what a process left that was killed as it put its file in place goes with the next one") {
     const TemporaryFolder folder;
     const fs::path path = folder.path() / "a.bin";
-    std::ofstream(temporaryBeside(path)) << "left by another, and longer than what comes";
+    std::ofstream(folder.path() / ".a.bin.abrdf-whole") << "left by another";
+    {
+        OutputFile file(path);
+        if (filesIn(folder.path()) > 1) {
+            MESSAGE("skipped: this file system has no files without names");
+            return;
+        }
+    }
     writeWholeFile(path, "new");
     CHECK(contentOf(path) == "new");
     CHECK(filesIn(folder.path()) == 1);

@@ -93,8 +93,7 @@ void failCalls(FaultBench& bench) {
                 if (!bench.isLong() && number > 1) continue;
                 bench.begin(job, true);
                 Attack attack;
-                attack.fault = std::string(call) + ":" + std::to_string(number) +
-                               ":enospc:" + bench.work().string();
+                attack.fault = bench.faultAt(call, number, "enospc");
                 const Outcome outcome = bench.run(job, attack);
                 if (outcome.status == 0) break;  // It makes fewer of these calls.
                 bench.inject("ENOSPC on write, fsync, rename", job.name + " " + attack.fault);

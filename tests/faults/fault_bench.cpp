@@ -2,6 +2,7 @@
 #include "tests/faults/fault_bench.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -14,6 +15,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kOld = "an old file";
+/// What a killed process leaves beside its output and the next one takes up or away.
+constexpr std::array kLeft = {".abrdf-partial", ".abrdf-journal", ".abrdf-unfinished",
+                              ".abrdf-whole"};
 
 /// The smallest --memory that the program names for a job.
 std::string smallestMemory(std::vector<std::string> words, const fs::path& folder) {
@@ -152,9 +156,9 @@ void FaultBench::expectNothingHalf(const Job& job, bool mayContinue) {
            job.output + " is neither absent, old nor whole");
     for (const std::string& name : namesIn(work())) {
         const bool isSideFile = job.name == "export" && name == job.output + ".json";
-        const bool isContinued = mayContinue && (name == "." + job.output + ".abrdf-partial" ||
-                                                 name == "." + job.output + ".abrdf-journal" ||
-                                                 name == "." + job.output + ".abrdf-unfinished");
+        const bool isContinued = mayContinue && std::ranges::any_of(kLeft, [&](const char* ending) {
+                                     return name == "." + job.output + ending;
+                                 });
         expect(name == job.output || isSideFile || isContinued, name + " was left over");
     }
 }

@@ -49,6 +49,13 @@ class FaultBench {
     void inject(const std::string& kind, const std::string& what);
     void expect(bool holds, const std::string& promise);
 
+    /// As shim.cpp takes it, for a call on what a job writes. Names are given relative to `work`.
+    std::string faultAt(const std::string& call, long number, const std::string& action) const {
+        const bool byName = call == "rename" || call == "unlink";
+        return call + ":" + std::to_string(number) + ":" + action + ":" +
+               (byName ? "" : work().string());
+    }
+
     Outcome run(const Job& job, const Attack& attack, bool resume = false) const;
 
     /// What must hold after a fault: the output absent, or old, or whole; beside it nothing but

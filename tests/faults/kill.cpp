@@ -42,8 +42,7 @@ void killAtCalls(FaultBench& bench) {
                 for (long number = 1; number <= last; ++number) {
                     bench.begin(job, false);
                     Attack attack;
-                    attack.fault = std::string(call) + ":" + std::to_string(number) + ":" + action +
-                                   ":" + bench.work().string();
+                    attack.fault = bench.faultAt(call, number, action);
                     const Outcome outcome = bench.run(job, attack, job.resumable);
                     if (outcome.status != -SIGKILL) break;  // It makes fewer of these calls.
                     bench.inject("SIGKILL before and after file calls",

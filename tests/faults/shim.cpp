@@ -169,6 +169,10 @@ int unlink(const char* path) noexcept {
     STANDS_FOR(unlink);
     return through<int>("unlink", path, -1, [&] { return next(path); });
 }
+int remove(const char* path) noexcept {
+    STANDS_FOR(remove);
+    return through<int>("unlink", path, -1, [&] { return next(path); });
+}
 int unlinkat(int folder, const char* path, int flags) noexcept {
     STANDS_FOR(unlinkat);
     return through<int>("unlink", path, -1, [&] { return next(folder, path, flags); });
