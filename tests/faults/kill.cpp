@@ -35,11 +35,10 @@ void killAtCalls(FaultBench& bench) {
         if (!bench.isLong() && job.name != "angular" && job.name != "merge") continue;
         for (const char* call : {"rename", "unlink", "fsync", "write"}) {
             if (!bench.isLong() && call[0] != 'r' && call[0] != 'u') continue;
-            // The journal's lines are many, and alike.
-            const long last =
-                std::string(call) == "write" && job.resumable ? std::min(most, 12L) : most;
             for (const char* action : {"kill", "killafter"}) {
-                for (long number = 1; number <= last; ++number) {
+                // The first ones each, then ever fewer: images and journal lines are many and
+                // alike.
+                for (long number = 1; number <= most; number += 1 + number / 6) {
                     bench.begin(job, false);
                     Attack attack;
                     attack.fault = bench.faultAt(call, number, action);
