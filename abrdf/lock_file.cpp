@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/lock_file.h"
 
+#include "abrdf/output_file.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -8,7 +10,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <stdexcept>
 
 namespace abrdf {
@@ -18,7 +19,7 @@ LockFile::LockFile(const std::filesystem::path& path) {
         file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (file_ < 0) {
             throw std::runtime_error(
-                fmt::format("{}: cannot be created: {}", path.string(), std::strerror(errno)));
+                fmt::format("{}: {}", path.string(), systemFault("cannot be created", errno)));
         }
         const bool isOthers = flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         // Its holder may have removed it between the two calls.

@@ -14,8 +14,32 @@ namespace abrdf {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path folderOf(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// By which an open file can be given a name.
+std::string linkOf(int file) {
+    return fmt::format("/proc/self/fd/{}", file);
+}
+
+/// A file without a name in `folder`; below 0 where the file system has none, or where it could
+/// not be given one.
+int openNameless(const fs::path& folder) {
+    const int file = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    if (file < 0 || access(linkOf(file).c_str(), F_OK) == 0) return file;
+    close(file);
+    return -1;
+}
+
+}  // namespace
+
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), temporary_(temporaryBeside(path_)) {
-    file_ = std::fopen(temporary_.c_str(), "wb");
+    const int file = openNameless(folderOf(path_));
+    isNameless_ = file >= 0;
+    file_ = isNameless_ ? fdopen(file, "wb") : std::fopen(temporary_.c_str(), "wbe");
     if (file_ == nullptr) fail("cannot be created");
 }
 
@@ -32,7 +56,7 @@ OutputFile::OutputFile(fs::path path, Partial partial)
 }
 
 OutputFile::~OutputFile() {
-    if (!temporary_.empty() && !isPartial_) {
+    if (!temporary_.empty() && !isPartial_ && !isNameless_) {
         std::error_code ignored;
         fs::remove(temporary_, ignored);
     }
@@ -40,9 +64,33 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(const char* what) const {
-    const int error = errno;
-    throw std::runtime_error(fmt::format("{}: {}: {}{}", path_.string(), what, std::strerror(error),
-                                         error == ENOSPC ? "; free some space and run again" : ""));
+    throw std::runtime_error(fmt::format("{}: {}", path_.string(), systemFault(what, errno)));
+}
+
+void OutputFile::putInPlace() {
+    if (!isNameless_) {
+        if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in place");
+        return;
+    }
+    // Only a name can replace a name. This one is the same for all processes: what a killed one
+    // left goes, and where another one was faster, this one's file gets the name again.
+    const fs::path whole =
+        path_.parent_path() / fmt::format(".{}.abrdf-whole", path_.filename().string());
+    const std::string link = linkOf(fileno(file_));
+    while (true) {
+        if (linkat(AT_FDCWD, link.c_str(), AT_FDCWD, whole.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+            const bool isThere = errno == EEXIST;
+            if (!isThere || (unlink(whole.c_str()) != 0 && errno != ENOENT))
+                fail("cannot be put in place");
+            continue;
+        }
+        if (std::rename(whole.c_str(), path_.c_str()) == 0) return;
+        const int error = errno;
+        if (error == ENOENT) continue;
+        unlink(whole.c_str());
+        errno = error;
+        fail("cannot be put in place");
+    }
 }
 
 void OutputFile::write(std::span<const char> bytes) {
@@ -66,7 +114,7 @@ void OutputFile::commit() {
     // A full disk may show itself only here.
     if (std::ferror(file_) != 0 || std::fflush(file_) != 0 || fsync(fileno(file_)) != 0)
         fail("cannot be written");
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be put in place");
+    putInPlace();
     temporary_.clear();
     std::FILE* file = file_;
     file_ = nullptr;
@@ -83,7 +131,7 @@ void checkOutputPath(const fs::path& path) {
     if (path.empty() || !path.has_filename()) {
         throw std::runtime_error(fmt::format("'{}' is no file name for an output", path.string()));
     }
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    const fs::path folder = folderOf(path);
     if (!fs::is_directory(folder)) {
         throw std::runtime_error(fmt::format("{}: the folder {} does not exist; make it first",
                                              path.string(), folder.string()));
@@ -96,6 +144,13 @@ void checkOutputPath(const fs::path& path) {
         throw std::runtime_error(fmt::format("{}: the folder {} cannot be written to: {}",
                                              path.string(), folder.string(), std::strerror(errno)));
     }
+}
+
+std::string systemFault(const char* what, int error) {
+    const char* help = "see to it and run again";
+    if (error == ENOSPC || error == EDQUOT) help = "free some space and run again";
+    if (error == EFBIG) help = "raise the limit on the size of files (ulimit -f) and run again";
+    return fmt::format("{}: {}; {}", what, std::strerror(error), help);
 }
 
 fs::path temporaryBeside(const fs::path& path) {

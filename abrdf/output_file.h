@@ -5,13 +5,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace abrdf {
 
 /// A file that appears whole or not at all: bytes go to a temporary beside `path`, commit() puts
-/// it in place; destroyed without commit() the temporary is removed and an older file is intact.
-/// Every failure throws std::runtime_error with the path and the system's reason.
+/// it in place; destroyed without commit() the temporary is gone and an older file is intact. Where
+/// the file system can, the temporary has no name until then: not even SIGKILL leaves one.
+/// Every failure throws std::runtime_error with the path, the system's reason and what helps.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path path);
@@ -37,11 +39,13 @@ class OutputFile {
 
   private:
     [[noreturn]] void fail(const char* what) const;
+    void putInPlace();
 
     std::filesystem::path path_;
     std::filesystem::path temporary_;
     std::FILE* file_ = nullptr;
     bool isPartial_ = false;
+    bool isNameless_ = false;
 };
 
 /// Writes a whole small file through OutputFile.
@@ -53,6 +57,10 @@ void checkOutputPath(const std::filesystem::path& path);
 
 /// The temporary's name beside `path`: hidden, and different for each process.
 std::filesystem::path temporaryBeside(const std::filesystem::path& path);
+
+/// "cannot be written: No space left on device; free some space and run again": what failed, the
+/// system's reason and what helps.
+std::string systemFault(const char* what, int error);
 
 /// The name of an unfinished output that may be continued: hidden, the same for each process.
 std::filesystem::path partialBeside(const std::filesystem::path& path);

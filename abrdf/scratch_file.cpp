@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/scratch_file.h"
 
+#include "abrdf/output_file.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -37,9 +38,8 @@ ScratchFile::~ScratchFile() {
 }
 
 void ScratchFile::fail(const char* what) const {
-    throw std::runtime_error(
-        fmt::format("{}: {}: {}{}", folder_.string(), what, std::strerror(errno),
-                    errno == ENOSPC ? "; set TMPDIR to a folder with more space" : ""));
+    throw std::runtime_error(fmt::format("{}: {}, or set TMPDIR to another folder",
+                                         folder_.string(), systemFault(what, errno)));
 }
 
 void ScratchFile::write(std::uint64_t position, std::span<const char> bytes) {

@@ -47,6 +47,7 @@ void addExpand(CLI::App& app, RunCommand& runCommand);
 void addMerge(CLI::App& app, RunCommand& run);
 void addRun(CLI::App& app, RunCommand& run);
 void addDemo(CLI::App& app, RunCommand& run);
+void addDescribe(CLI::App& app, RunCommand& run);  ///< Hidden: manual and completions.
 
 /// Those of SharedOptions, for the program.
 void addSharedOptions(CLI::App& app, SharedOptions& shared);

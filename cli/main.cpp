@@ -12,9 +12,14 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <string_view>
+#include <system_error>
 
 namespace {
 
@@ -70,7 +75,8 @@ std::string methodList() {
 /// "convert, inspect or demo".
 std::string commandNames(const CLI::App& app) {
     std::string names;
-    const auto commands = app.get_subcommands({});
+    const auto commands =
+        app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
     for (std::size_t i = 0; i < commands.size(); ++i) {
         names += (i == 0 ? "" : i + 1 == commands.size() ? " or " : ", ") + commands[i]->get_name();
     }
@@ -90,8 +96,9 @@ int runChosen(const abrdf::RunCommand& run, SharedOptions& shared) {
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
     const abrdf::ThreadLimit limit(shared.threads);
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
+    // As errors of the write that meets them, they leave no half file behind.
+    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
     return run(shared, abrdf::makeProgressDisplay(style));
 }
 
@@ -119,6 +126,7 @@ int runProgram(std::vector<std::string> words) {
     abrdf::addMerge(app, run);
     abrdf::addRun(app, run);
     abrdf::addDemo(app, run);
+    abrdf::addDescribe(app, run);
     app.require_subcommand(0, 1);
     try {
         words = abrdf::withConfigFile(std::move(words));
@@ -142,9 +150,34 @@ int runProgram(std::vector<std::string> words) {
     return runChosen(run, shared);
 }
 
-}  // namespace
+constexpr const char* kNoMemory =
+    "there is not enough memory for this job; give it less --memory to keep within, fewer "
+    "--threads "
+    "or fewer --texels";
 
-int main(int argc, char** argv) {
+/// Whether the system gave no memory, or no thread, which takes some. TBB says the latter in words.
+bool isLackOfMemory(const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+           (system != nullptr &&
+            (system->code().value() == EAGAIN || system->code().value() == ENOMEM)) ||
+           std::string_view(error.what()).starts_with("pthread_create");
+}
+
+/// Where an exception has nobody to catch it, as in the libraries' own threads.
+[[noreturn]] void onTerminate() {
+    try {
+        if (std::current_exception()) std::rethrow_exception(std::current_exception());
+    } catch (const std::exception& error) {
+        std::cerr << "abrdf: " << (isLackOfMemory(error) ? kNoMemory : error.what()) << "\n";
+        std::_Exit(kFailed);
+    } catch (...) {
+    }
+    std::abort();
+}
+
+/// The exit status; what failed stands on stderr.
+int statusOf(int argc, char** argv) {
     try {
         return runProgram(std::vector<std::string>(argv + 1, argv + argc));
     } catch (const abrdf::Cancelled& cancelled) {
@@ -155,10 +188,24 @@ int main(int argc, char** argv) {
     } catch (const std::invalid_argument& error) {
         std::cerr << "abrdf: " << error.what() << "\n";
         return kWrongUsage;
-    } catch (const std::bad_alloc&) {
-        std::cerr << "abrdf: there is not enough memory for this job; choose fewer texels\n";
     } catch (const std::exception& error) {
-        std::cerr << "abrdf: " << error.what() << "\n";
+        std::cerr << "abrdf: " << (isLackOfMemory(error) ? kNoMemory : error.what()) << "\n";
     }
     return kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::set_terminate(onTerminate);
+    const int status = statusOf(argc, argv);
+#ifdef __SANITIZE_ADDRESS__
+    return status;  // Leaks are looked for at exit.
+#else
+    // OpenBLAS, which OpenImageIO brings along, would wait at exit for a thread of its own, for
+    // ever where that got no memory. Nothing here needs the libraries' destructors.
+    std::cout.flush();
+    std::fflush(nullptr);
+    std::_Exit(status);
+#endif
 }

@@ -163,7 +163,10 @@ bool isFinished(const ConvertOptions& options, const ordered_json& asked, int sh
     was.erase("mean");
     std::string changed = differences(was, asked);
     if (changed.empty() && wasShard != shard) changed = "it is another shard";
-    if (changed.empty()) return true;
+    if (changed.empty()) {
+        TileJournal::removeFinished(options.output);
+        return true;
+    }
     throw std::runtime_error(
         fmt::format("{}: exists and is of another job: {}; remove it, or leave --resume out to "
                     "replace it",

@@ -5,6 +5,7 @@
 #include "abrdf/demo_cloth.h"
 #include "abrdf/direction.h"
 #include "abrdf/for_each_texel.h"
+#include "abrdf/lock_file.h"
 #include "abrdf/output_file.h"
 #include "pipeline/demo_image.h"
 #include "pipeline/zip_folder.h"
@@ -14,6 +15,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -25,16 +27,34 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder for unfinished work; gone, with all in it, when this object is.
+/// A folder for the unfinished `target`, beside it; gone, with all in it, when this object is. It has
+/// one name for all processes, so that the next one takes away what a killed one left; a lock in it
+/// keeps a second process away.
 class StagingFolder {
   public:
-    explicit StagingFolder(fs::path path) : path_(std::move(path)) {
+    explicit StagingFolder(const fs::path& target)
+        : path_(target.parent_path() /
+                fmt::format(".{}.abrdf-unfinished", target.filename().string())) {
         std::error_code error;
-        fs::remove_all(path_, error);  // what a killed process of the same number left
-        if (!fs::create_directory(path_, error)) {
+        fs::create_directory(path_, error);
+        if (error) {
             throw std::runtime_error(
                 fmt::format("{}: the folder cannot be made: {}; see to it and run again",
                             path_.string(), error.message()));
+        }
+        try {
+            lock_.emplace(path_ / "lock");
+        } catch (const std::runtime_error&) {
+            fs::remove(path_, error);
+            throw;
+        }
+        if (!lock_->isHeld()) {
+            throw std::runtime_error(fmt::format(
+                "{}: another abrdf is writing it; wait for that one or choose another target",
+                target.string()));
+        }
+        for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+            if (entry.path().filename() != "lock") fs::remove_all(entry.path());
         }
     }
     ~StagingFolder() {
@@ -48,6 +68,7 @@ class StagingFolder {
 
   private:
     fs::path path_;
+    std::optional<LockFile> lock_;
 };
 
 long degrees(Radians angle) {
@@ -141,7 +162,7 @@ void writeDemoDatabase(const fs::path& target, const DemoOptions& options,
 
     // An empty folder may be a disk of its own: then the work is done on that disk.
     const bool fillFolder = !isZip && fs::exists(path);
-    const StagingFolder staging(temporaryBeside(fillFolder ? path / "images" : path));
+    const StagingFolder staging(fillFolder ? path / "images" : path);
     const fs::path images = staging.path() / "images";
     fs::create_directory(images);
     renderImages(cloth, writer, options, images, progress);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cerrno>
 #include <charconv>
 #include <sstream>
 #include <stdexcept>
@@ -157,8 +158,15 @@ void TileJournal::begin() {
     std::ofstream stream(path_, std::ios::binary | std::ios::trunc);
     stream << ordered_json{{"job", job_}, {"pixel", nameOf(type_)}}.dump() << "\n";
     if (!stream.flush()) {
-        throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
+        const int error = errno;
+        remove();  // It tells of nothing yet.
+        fail(error);
     }
+}
+
+void TileJournal::fail(int error) const {
+    throw std::runtime_error(fmt::format("{}: its journal {}", output_.string(),
+                                         systemFault("cannot be written", error)));
 }
 
 void TileJournal::restart(PixelType type) {
@@ -171,15 +179,21 @@ void TileJournal::add(const TilesAdded& added) {
             << withEstimates(added.hash, added.estimates) << ' ' << added.counts.clamped << ' '
             << added.counts.nonfinite << ' ' << added.counts.dimmed << ' '
             << textOf(added.estimates) << (added.estimates.empty() ? "" : " ") << "whole\n";
-    if (!stream_.flush()) {
-        throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
-    }
+    if (!stream_.flush()) fail(errno);
 }
 
 void TileJournal::remove() {
     std::error_code ignored;
     fs::remove(partialBeside(output_), ignored);
     fs::remove(path_, ignored);
+}
+
+void TileJournal::removeFinished(const fs::path& output) {
+    const fs::path path = journalBeside(output);
+    if (!fs::exists(path)) return;
+    const LockFile lock(path);
+    std::error_code ignored;
+    if (lock.isHeld()) fs::remove(path, ignored);
 }
 
 }  // namespace abrdf

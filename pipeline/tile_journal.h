@@ -40,9 +40,13 @@ class TileJournal {
     /// The atlas is finished, or given up: nothing of it stays unfinished.
     void remove();
 
+    /// What a process left that was killed between putting `output` in place and remove().
+    static void removeFinished(const std::filesystem::path& output);
+
   private:
     bool readBack(const nlohmann::ordered_json& job);
     void begin();
+    [[noreturn]] void fail(int error) const;
 
     std::filesystem::path output_;
     std::filesystem::path path_;

@@ -93,6 +93,7 @@ std::unique_ptr<BtfReader> makeMbsdfReader(const DatabasePath& path) {
     const std::uint64_t cells = boundedProduct(boundedProduct(thetas, thetas, kHuge), phis, kHuge);
     const std::uint64_t channels = type == 1 ? 3 : 1;
     std::vector<float> values = file.numbers<float>(channels * cells, "cells");
+    map.checkWhole();
     if (channels == 1) {
         std::vector<float> grey;
         for (const float v : values) grey.insert(grey.end(), 3, v);

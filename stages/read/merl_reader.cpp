@@ -77,6 +77,7 @@ std::unique_ptr<BtfReader> makeMerlReader(const DatabasePath& path) {
         brdf[i] = hasData ? Rgb{f[0], f[1], f[2]} : Rgb{kNaN, kNaN, kNaN};
         empty += hasData ? 0U : 1U;
     }
+    map.checkWhole();
     BtfDescription description = tableDescription(path, "MERL");
     description.belowHorizon = empty;
     description.notes.push_back(fmt::format("{} of {} entries hold no data", empty, brdf.size()));

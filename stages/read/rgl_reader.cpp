@@ -148,6 +148,7 @@ std::unique_ptr<BtfReader> makeRglReader(const DatabasePath& path) {
     const MappedFile map(path.path);
     TensorFile file(map.bytes(), path.path.string());
     RglData data = readRgl(file);
+    map.checkWhole();
     BtfDescription description = tableDescription(path, "RGL");
     description.cosineFrom = "convention of the format: f cos(theta_i) by its published evaluation";
     description.maxMeasuredTheta = static_cast<double>(data.thetaIn.back());

@@ -107,6 +107,7 @@ class Ubo2014Reader : public BtfReader {
         extent_.channels = header.channels.size();
         rgb_ = rgbChannels(file, header.channels);
         readData(file, header);
+        map_.checkWhole();
         describe(path, header);
     }
 
@@ -118,6 +119,7 @@ class Ubo2014Reader : public BtfReader {
         const std::size_t channels = extent_.channels;
         std::vector<float> values(channels * extent_.texels());
         decode(light, view, values);
+        map_.checkWhole();
         std::vector<float> rgb(3 * extent_.texels());
         for (std::size_t t = 0; t < extent_.texels(); ++t) {
             for (std::size_t c = 0; c < 3; ++c) {

@@ -63,6 +63,7 @@ std::unique_ptr<BtfReader> makeUtiaBinReader(const DatabasePath& path) {
         file.fail("its doubles are big-endian, and UTIA's files are little-endian");
     }
     const auto numbers = file.numbers<double>(3 * kPairs, "doubles");
+    map.checkWhole();
     std::vector<std::array<double, 3>> stored(kPairs);
     for (std::size_t pair = 0; pair < kPairs; ++pair) {
         for (std::size_t c = 0; c < 3; ++c) stored[pair][c] = numbers[c * kPairs + pair];

@@ -40,6 +40,7 @@ bool recognizesUtiaExr(const DatabasePath& path) {
 std::unique_ptr<BtfReader> makeUtiaExrReader(const DatabasePath& path) {
     const MappedFile map(path.path);
     const EncodedImage image = decodeImage(map.bytes(), exrName(path));
+    map.checkWhole();
     const auto* floats = std::get_if<std::vector<float>>(&image.rgb);
     if (floats == nullptr) {
         throw std::runtime_error(

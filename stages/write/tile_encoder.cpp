@@ -46,7 +46,7 @@ std::int64_t writeNowhere(exr_const_context_t, void*, const void*, std::uint64_t
 
 /// Frees what an encoder took.
 struct Pipeline {
-    exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
+    exr_encode_pipeline_t encode{};
     exr_const_context_t context = nullptr;
 
     Pipeline() = default;
