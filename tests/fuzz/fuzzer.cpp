@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// libFuzzer's entry; ABRDF_FUZZ_TARGET says which reader this program is for.
+// libFuzzer's entry; ABRDF_FUZZ_TARGET says what this program is for.
 #include "tests/fuzz/targets.h"
 
 #include <OpenImageIO/imageio.h>
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const abrdf::FuzzTarget& kTarget = abrdf::fuzzTargetFromName(ABRDF_FUZZ_TARGET);
+    static const abrdf::FuzzTarget kTarget = abrdf::fuzzTargetFromName(ABRDF_FUZZ_TARGET);
     kTarget.run({reinterpret_cast<const char*>(data), size});
     return 0;
 }
