@@ -53,7 +53,7 @@ void appendChunk(int tileX, int tileY, std::span<const char> data, std::vector<c
 
 /// Frees what an encoder took.
 struct Pipeline {
-    exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
+    exr_encode_pipeline_t encode{};  // As EXR_ENCODE_PIPELINE_INITIALIZER, which clang warns of.
     exr_const_context_t context = nullptr;
 
     Pipeline() = default;
