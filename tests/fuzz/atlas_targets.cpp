@@ -83,7 +83,9 @@ void runLookUp(std::span<const char> data) {
     const auto check = [&](Direction light, Direction view) {
         const Rgb found = lookUp(atlas, light, view, 0, header.layout.texelsHigh - 1);
         fuzzCheck(std::abs(found.b - 1) < 1e-4F && found.g == 0, "weights sum to 1");
-        fuzzCheck(!(found.r > 1.001F * value), "no look-up exceeds what is stored");
+        // But for the rounding of the smallest floats, and of the largest.
+        const bool isRounded = value < 1e-30F || value > 1e38F;
+        fuzzCheck(isRounded || found.r <= 1.001F * value, "no look-up exceeds what is stored");
     };
     check(header.grid.lights().back(), header.grid.views().front());
     for (int i = 0; i < 4; ++i) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/fuzz/targets.h"
-
 #include "stages/read/angle_keys.h"
 #include "stages/read/btf_reader.h"
 #include "stages/read/decode_image.h"
 #include "stages/read/name_pattern.h"
+#include "tests/fuzz/targets.h"
 #include "tests/support/small_files.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"

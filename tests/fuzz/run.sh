@@ -18,7 +18,7 @@ bin=$(realpath "${FUZZ_BIN:-build/fuzz/tests}")
 mkdir -p build/fuzz/found build/fuzz/log
 failed=0
 for target in $targets; do
-    corpus=build/fuzz/corpus/$target
+    corpus=$PWD/build/fuzz/corpus/$target
     log=build/fuzz/log/$target.txt
     mkdir -p "$corpus"
     "$bin/fuzz_replay" "$target" --seeds "$corpus"
@@ -26,11 +26,12 @@ for target in $targets; do
     # libpng leaks a string where it stops at a fault, through OpenImageIO: not ours to mend.
     leaks=1
     case $target in image | zip | environment) leaks=0 ;; esac
+    begin=$SECONDS
     end=$((SECONDS + seconds))
     # A finding ends the program: what is left of the time is a new run's.
     while [ $((end - SECONDS)) -gt 0 ]; do
         # OpenImageIO takes 64 MB at once for any image; twice that is 8192 times the longest input.
-        if "$bin/fuzz_$target" "$corpus" -max_total_time=$((end - SECONDS)) -max_len=16384 \
+        if ABRDF_FUZZ_TARGET=$target "$bin/fuzz_target" "$corpus" -max_total_time=$((end - SECONDS)) -max_len=16384 \
             -malloc_limit_mb=128 -detect_leaks=$leaks -timeout=20 -rss_limit_mb=4096 \
             -print_final_stats=1 -seed="${FUZZ_SEED:-0}" \
             -artifact_prefix="$PWD/build/fuzz/found/$target-" > "$log.run" 2>&1; then
@@ -44,6 +45,7 @@ for target in $targets; do
         [ $((end - SECONDS)) -gt $((seconds / 2)) ] || break
     done
     rm -f "$log.run"
+    echo "seconds: $((SECONDS - begin))" >> "$log"
     bash tests/fuzz/table.sh "$target"
 done
 exit $failed

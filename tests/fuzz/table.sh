@@ -7,7 +7,7 @@ targets=${*:-$(ls -- *.txt | sed 's/\.txt$//')}
 for target in $targets; do
     awk -v target="$target" '
         /^stat::number_of_executed_units/ { executions += $2 }
-        /^Done [0-9]+ runs in [0-9]+ second/ { seconds += $5 }
+        /^seconds: / { seconds += $2 }
         { for (i = 1; i < NF; ++i) {
               if ($i == "cov:" && $(i + 1) > cov) cov = $(i + 1)
               if ($i == "ft:" && $(i + 1) > ft) ft = $(i + 1) } }
