@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/angular_grid.h"
 
+#include "abrdf/text_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -140,8 +141,7 @@ AngularGrid gridFromName(const std::string& nameOrFile) {
 }
 
 std::vector<Direction> directionsFromCsv(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(fmt::format("{}: cannot be opened", file.string()));
+    std::istringstream stream(textOfFile(file));
     std::vector<Direction> directions;
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {

@@ -19,6 +19,9 @@ Direction directionFromVector(const Imath::V3d& vector) {
 }
 
 Radians wrappedAzimuth(Radians angle) {
+    // Of so many turns the product below would leave anything but an azimuth.
+    constexpr Radians kManyTurns = 1e9;
+    if (std::abs(angle) > kManyTurns) angle = std::fmod(angle, 2 * kPi);
     const Radians wrapped = angle - 2 * kPi * std::floor(angle / (2 * kPi));
     return wrapped < 2 * kPi ? wrapped : 0;
 }

@@ -41,7 +41,7 @@ Imath::V3d vectorFromDirection(Direction direction);
 /// The inverse of vectorFromDirection(); phi is 0 at the pole.
 Direction directionFromVector(const Imath::V3d& vector);
 
-/// `angle` turned into 0 .. 2 pi (2 pi excluded).
+/// `angle` turned into 0 .. 2 pi (2 pi excluded); 0 where it is not finite.
 Radians wrappedAzimuth(Radians angle);
 
 /// Squared distance of two pairs as points of the product of two unit spheres.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/chart.h"
 
+#include "abrdf/printable.h"
 #include "cli/command.h"
 
 #include <spdlog/spdlog.h>
@@ -47,8 +48,9 @@ void addChart(CLI::App& app, RunCommand& runCommand) {
                 options->job.inputs.push_back(options->shared);
                 options->job.inputs.back().input = input;
             }
-            const auto report = chart(options->job, progress,
-                                      [](const std::string& message) { spdlog::warn(message); });
+            const auto report = chart(options->job, progress, [](const std::string& message) {
+                spdlog::warn(printable(message));
+            });
             deliver(report, chartTable(report), shared);
             return 0;
         };

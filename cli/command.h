@@ -52,7 +52,7 @@ void addDescribe(CLI::App& app, RunCommand& run);  ///< Hidden: manual and compl
 /// Those of SharedOptions, for the program.
 void addSharedOptions(CLI::App& app, SharedOptions& shared);
 
-/// --pattern and --utia-encoding: for every command that opens a database.
+/// --pattern, --utia-encoding and the limits: for every command that opens a database.
 void addReadOptions(CLI::App& command, ReadOptions& options);
 
 /// --grazing, for commands that write on a grid of the user's choice.

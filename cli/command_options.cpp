@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/output_file.h"
+#include "abrdf/printable.h"
 #include "cli/command.h"
 #include "pipeline/memory_plan.h"
 
@@ -37,6 +38,14 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
         "--utia-encoding",
         [&options](const std::string& name) { options.utiaEncoding = utiaEncodingFromName(name); },
         "of UTIA BRDF files: linear | srgb | srgb140 (else told from the values)");
+    command
+        .add_option("--max-image-pixels", options.limits.imagePixels,
+                    "of one image of a database; larger ones are refused")
+        ->capture_default_str();
+    command.add_option_function<std::string>(
+        "--max-file-size",
+        [&options](const std::string& size) { options.limits.fileBytes = bytesFromText(size); },
+        "of one image file, unpacked from its archive, as 500M or 2G (1G)");
 }
 
 void addGrazingOption(CLI::App& command, Grazing& grazing) {
@@ -66,7 +75,7 @@ void addDatabaseOptions(CLI::App& command, InputOptions& options) {
                                                            {"fill", MissingImages::kFill}};
     command.add_option("--missing", options.missing, "needed images that are absent: error | fill")
         ->transform(CLI::CheckedTransformer(policies));
-    options.warn = [](const std::string& message) { spdlog::warn(message); };
+    options.warn = [](const std::string& message) { spdlog::warn(printable(message)); };
 }
 
 void addMethodOptions(CLI::App& command, MethodChoice& choice) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/config_file.h"
 
+#include "abrdf/text_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 namespace abrdf {
@@ -12,13 +13,9 @@ namespace abrdf {
 namespace {
 
 std::string textOf(const toml::node& node, const std::string& key, const std::string& file) {
-    if (const auto text = node.value<std::string>(); node.is_string()) return *text;
-    if (const auto number = node.value<std::int64_t>(); node.is_integer()) {
-        return fmt::format("{}", *number);
-    }
-    if (const auto number = node.value<double>(); node.is_floating_point()) {
-        return fmt::format("{}", *number);
-    }
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* number = node.as_integer()) return fmt::format("{}", number->get());
+    if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
     if (const toml::array* array = node.as_array()) {
         std::string list;
         for (const toml::node& item : *array) {
@@ -35,9 +32,7 @@ std::string textOf(const toml::node& node, const std::string& key, const std::st
 
 toml::table tableFromFile(const std::string& file) {
     try {
-        std::ifstream stream(file);
-        if (!stream) throw std::runtime_error(fmt::format("{}: cannot be opened", file));
-        return toml::parse(stream, file);
+        return toml::parse(textOfFile(file), file);
     } catch (const toml::parse_error& error) {
         throw std::runtime_error(fmt::format("{}:{}: is not TOML: {}", file,
                                              error.source().begin.line,
@@ -49,8 +44,12 @@ std::vector<std::string> optionsFromTable(const toml::table& table, const std::s
     std::vector<std::string> options;
     for (const auto& [tomlKey, node] : table) {
         const std::string key(tomlKey.str());
-        if (const auto flag = node.value<bool>(); node.is_boolean()) {
-            if (*flag) options.push_back(fmt::format("--{}", key));
+        if (key == "config") {
+            throw std::runtime_error(fmt::format("{}:{}: a job file cannot name another one", file,
+                                                 node.source().begin.line));
+        }
+        if (const auto* flag = node.as_boolean()) {
+            if (flag->get()) options.push_back(fmt::format("--{}", key));
         } else if (key == "input") {
             options.push_back(textOf(node, key, file));
         } else {

@@ -2,6 +2,7 @@
 #include "abrdf/cancel.h"
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "abrdf/printable.h"
 #include "cli/command.h"
 #include "cli/config_file.h"
 #include "cli/progress_display.h"
@@ -135,7 +136,8 @@ int runProgram(std::vector<std::string> words) {
     } catch (const CLI::Success& success) {
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
-        std::cerr << fmt::format("abrdf: {}{}\n", error.what(), abrdf::suggestion(app, words));
+        std::cerr << fmt::format("abrdf: {}{}\n", abrdf::printable(error.what()),
+                                 abrdf::suggestion(app, words));
         return kWrongUsage;
     }
     if (listMethods) {
@@ -186,10 +188,13 @@ int statusOf(int argc, char** argv) {
         std::signal(gSignal, SIG_DFL);
         std::raise(gSignal);
     } catch (const std::invalid_argument& error) {
-        std::cerr << "abrdf: " << error.what() << "\n";
+        std::cerr << "abrdf: " << abrdf::printable(error.what()) << "\n";
         return kWrongUsage;
     } catch (const std::exception& error) {
-        std::cerr << "abrdf: " << (isLackOfMemory(error) ? kNoMemory : error.what()) << "\n";
+        std::cerr << "abrdf: "
+                  << (isLackOfMemory(error) ? std::string(kNoMemory)
+                                            : abrdf::printable(error.what()))
+                  << "\n";
     }
     return kFailed;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "abrdf/printable.h"
 #include "cli/batch_file.h"
 #include "cli/command.h"
 
@@ -60,7 +61,7 @@ int run(const Options& options, const SharedOptions& shared, const ProgressSink&
     batch.memory = shared.memoryBytes();
     batch.keepGoing = options.keepGoing;
     batch.shard = shardFromText(options.shard);
-    batch.warn = [](const std::string& message) { spdlog::warn(message); };
+    batch.warn = [](const std::string& message) { spdlog::warn(printable(message)); };
     const auto summary = runBatch(items, batch, progress);
     deliver(summary, shared.quiet ? "" : batchTable(summary), shared);
     for (const auto& material : summary["materials"]) {

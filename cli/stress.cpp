@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/stress.h"
 
+#include "abrdf/printable.h"
 #include "cli/command.h"
 
 #include <fmt/format.h>
@@ -40,8 +41,9 @@ void addStress(CLI::App& app, RunCommand& runCommand) {
                         "OpenColorIO config (else $OCIO, else the shipped one)");
     command->callback([job, &runCommand] {
         runCommand = [job](const SharedOptions& shared, const ProgressSink& progress) {
-            const auto report =
-                stress(*job, progress, [](const std::string& message) { spdlog::warn(message); });
+            const auto report = stress(*job, progress, [](const std::string& message) {
+                spdlog::warn(printable(message));
+            });
             deliver(report, breakdownTable(report), shared);
             return 0;
         };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/train.h"
 
+#include "abrdf/printable.h"
 #include "cli/command.h"
 
 #include <fmt/format.h>
@@ -37,8 +38,9 @@ void addTrain(CLI::App& app, RunCommand& runCommand) {
         ->capture_default_str();
     command->callback([job, &runCommand] {
         runCommand = [job](const SharedOptions& shared, const ProgressSink& progress) {
-            const auto report =
-                train(*job, progress, [](const std::string& message) { spdlog::warn(message); });
+            const auto report = train(*job, progress, [](const std::string& message) {
+                spdlog::warn(printable(message));
+            });
             deliver(report,
                     fmt::format("{}: {} samples of the plan {}, {:.1f} MB, {:.1f} s\n",
                                 report["output"]["path"].get<std::string>(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/inspect.h"
 
+#include "abrdf/printable.h"
 #include "pipeline/estimate_report.h"
 #include "pipeline/job.h"
 #include "pipeline/stack_facts.h"
@@ -136,7 +137,7 @@ ordered_json inspect(const fs::path& path, const ProgressSink& progress,
 std::string textOf(const ordered_json& report) {
     std::string text;
     const auto line = [&](const std::string& key, const std::string& value) {
-        text += fmt::format("{:<20}{}\n", key, value);
+        text += fmt::format("{:<20}{}\n", key, printable(value));
     };
     for (const auto& [key, value] : report.items()) {
         if (key == "notes") {

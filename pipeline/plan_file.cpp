@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/plan_file.h"
 
+#include "abrdf/text_file.h"
+
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -37,7 +38,7 @@ LightAndView checkedSample(const std::array<double, 4>& degrees, const std::stri
 SamplePlan planFromToml(const fs::path& file) {
     toml::table table;
     try {
-        table = toml::parse_file(file.string());
+        table = toml::parse(textOfFile(file), file.string());
     } catch (const toml::parse_error& error) {
         throw std::runtime_error(fmt::format("{}:{}: is not TOML: {}", file.string(),
                                              error.source().begin.line,
@@ -68,8 +69,7 @@ SamplePlan planFromToml(const fs::path& file) {
 }
 
 SamplePlan planFromCsv(const fs::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(fmt::format("{}: cannot be opened", file.string()));
+    std::istringstream stream(textOfFile(file));
     SamplePlan plan{file.filename().string(), {}, {}};
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {

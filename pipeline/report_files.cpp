@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/report_files.h"
 
+#include "abrdf/text_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 namespace abrdf {
@@ -125,10 +126,16 @@ class Collector {
 };
 
 json readJson(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(fmt::format("{}: cannot be opened", file.string()));
+    const std::string text = textOfFile(file);
+    // Copies of values go as deep into the stack as these are nested.
+    constexpr int kDeepest = 100;
+    const auto checkDepth = [&](int depth, json::parse_event_t, const json&) {
+        if (depth <= kDeepest) return true;
+        throw std::runtime_error(fmt::format("{}: is nested more than {} deep, which no report is",
+                                             file.string(), kDeepest));
+    };
     try {
-        return json::parse(stream);
+        return json::parse(text, checkDepth);
     } catch (const json::exception& error) {
         throw std::runtime_error(fmt::format("{}: is no JSON: {}; remove it from the folder",
                                              file.string(), error.what()));

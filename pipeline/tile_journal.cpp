@@ -74,10 +74,10 @@ std::uint64_t withEstimates(std::uint64_t hash, std::span<const float> estimates
                        hash);
 }
 
-/// The hash of bytes [begin, end) of a file; nothing where it is shorter.
-std::optional<std::uint64_t> hashOf(std::ifstream& file, std::uint64_t begin, std::uint64_t end,
-                                    std::vector<char>& buffer) {
-    if (end < begin) return {};
+/// The hash of bytes [begin, end) of a file of `size` bytes; nothing where it is shorter.
+std::optional<std::uint64_t> hashOf(std::ifstream& file, std::uint64_t size, std::uint64_t begin,
+                                    std::uint64_t end, std::vector<char>& buffer) {
+    if (end < begin || end > size) return {};
     buffer.resize(end - begin);
     file.seekg(static_cast<std::streamoff>(begin));
     if (!file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()))) return {};
@@ -122,7 +122,9 @@ bool TileJournal::readBack(const ordered_json& job) {
     std::string line;
     if (!std::getline(journal, line)) return false;
     const ordered_json head = ordered_json::parse(line, nullptr, false);
-    if (!head.is_object() || !head.contains("job")) return false;
+    if (!head.is_object() || !head.contains("job") || !head.contains("pixel")) {
+        return false;
+    }
     const std::string changed = differences(head["job"], job);
     if (!changed.empty()) {
         throw std::runtime_error(fmt::format(
@@ -132,6 +134,9 @@ bool TileJournal::readBack(const ordered_json& job) {
     }
     type_ = head["pixel"] == "float" ? PixelType::kFloat : PixelType::kHalf;
     std::ifstream atlas(partialBeside(output_), std::ios::binary);
+    std::error_code absent;
+    const std::uintmax_t found = fs::file_size(partialBeside(output_), absent);
+    const std::uint64_t size = absent ? 0 : found;
     std::vector<char> buffer;
     auto good = journal.tellg();
     while (std::getline(journal, line) && !journal.eof()) {
@@ -139,7 +144,7 @@ bool TileJournal::readBack(const ordered_json& job) {
         if (!entry) break;
         // The first one says where tiles begin.
         if (entry->written.tiles > 0) {
-            const auto hash = hashOf(atlas, written_.end, entry->written.end, buffer);
+            const auto hash = hashOf(atlas, size, written_.end, entry->written.end, buffer);
             if (!hash || withEstimates(*hash, entry->estimates) != entry->hash) break;
         }
         good = journal.tellg();

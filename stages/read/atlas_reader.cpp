@@ -51,6 +51,16 @@ std::vector<float> estimatesIn(Imf::MultiPartInputFile& file, int part, const At
     return values;
 }
 
+/// Measured values pack to a third, black to a hundredth: more than 64 pixels in a byte are a bomb.
+void checkPacking(const std::filesystem::path& path, std::size_t pixels) {
+    constexpr std::size_t kSmall = std::size_t{1} << 26;
+    const std::uintmax_t bytes = std::filesystem::file_size(path);
+    if (pixels <= kSmall || pixels / 64 <= bytes) return;
+    throw std::runtime_error(
+        fmt::format("{}: is no atlas to be believed: it declares {} pixels in {} bytes",
+                    path.string(), pixels, bytes));
+}
+
 }  // namespace
 
 bool isAtlas(const std::filesystem::path& path) {
@@ -76,6 +86,7 @@ Atlas readAtlas(const std::filesystem::path& path) {
         AtlasHeader header = atlasHeaderFrom(file.header(), path.string());
         const auto width = static_cast<std::size_t>(header.layout.width());
         const auto height = static_cast<std::size_t>(header.layout.height());
+        checkPacking(path, width * height);
         std::vector<Rgb> pixels(width * height);
         Imf::FrameBuffer buffer;
         std::size_t offset = 0;

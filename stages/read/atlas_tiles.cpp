@@ -91,7 +91,7 @@ std::vector<char> AtlasTiles::raw(std::size_t index) const {
         const char* data = nullptr;
         int size = 0;
         file_->exr.rawTileData(x, y, levelX, levelY, data, size);
-        if (x != wantedX || y != wantedY || levelX != 0 || levelY != 0) {
+        if (x != wantedX || y != wantedY || levelX != 0 || levelY != 0 || size < 0) {
             throw std::runtime_error(
                 fmt::format("{}: is damaged: tile ({}, {}) is not where its table says",
                             file_->path.string(), wantedX, wantedY));

@@ -29,7 +29,7 @@ bool recognizesAtrium(const DatabasePath& path) {
     try {
         const std::vector<char> bytes = path.files->read(*first);
         if (beginsAsRadiance(bytes)) return true;
-        const ImageSize size = imageSize(bytes, path.files->fullName(*first));
+        const ImageSize size = imageSize(bytes, path.files->fullName(*first), path.options.limits);
         return size.width == kAtriumSide && size.height == kAtriumSide;
     } catch (const std::runtime_error&) {
         return false;  // The reader that does take it will name the file.

@@ -17,8 +17,12 @@ DatabasePath::DatabasePath(fs::path where, ReadOptions readOptions)
     if (!fs::exists(path)) {
         throw std::runtime_error(fmt::format("{}: there is no such file or folder", path.string()));
     }
+    // A pipe would be waited for, and a device has no end.
+    if (!fs::is_directory(path) && !fs::is_regular_file(path)) {
+        throw std::runtime_error(fmt::format("{}: is neither a file nor a folder", path.string()));
+    }
     if (fs::is_directory(path) || isZip(path)) {
-        files = std::make_shared<const FileSource>(path);
+        files = std::make_shared<const FileSource>(path, options.limits);
         return;
     }
     std::ifstream stream(path, std::ios::binary);
@@ -30,7 +34,7 @@ DatabasePath::DatabasePath(fs::path where, ReadOptions readOptions)
     head.resize(kHead);
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(stream.gcount()));
-    size = fs::is_regular_file(path) ? fs::file_size(path) : head.size();
+    size = fs::file_size(path);
 }
 
 std::string DatabasePath::name() const {

@@ -61,46 +61,57 @@ std::runtime_error badImage(const std::string& name, const std::string& why) {
     return std::runtime_error(fmt::format("{}: is not a whole image: {}", name, why));
 }
 
-/// Packs the first three channels, or the first one three times.
-template <typename T>
-std::vector<T> packedRgb(std::vector<T> values, std::size_t channels) {
-    if (channels == 3) return values;
-    const std::size_t pixels = values.size() / channels;
-    std::vector<T> rgb(3 * pixels);
-    for (std::size_t p = 0; p < pixels; ++p) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            rgb[3 * p + c] = values[p * channels + (channels < 3 ? 0 : c)];
-        }
-    }
-    return rgb;
-}
-
+/// The first three channels, or the first one three times; no others take memory.
 template <typename T>
 std::vector<T> readPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, const std::string& name) {
     const OIIO::ImageSpec& spec = input.spec();
+    const bool isGrey = spec.nchannels < 3;
     std::vector<T> values(static_cast<std::size_t>(spec.width) *
-                          static_cast<std::size_t>(spec.height) *
-                          static_cast<std::size_t>(spec.nchannels));
-    const bool read = input.read_image(0, 0, 0, -1, type, values.data());
+                          static_cast<std::size_t>(spec.height) * (isGrey ? 1 : 3));
+    const bool read = input.read_image(0, 0, 0, isGrey ? 1 : 3, type, values.data());
     // The JPEG reader fills a truncated image with grey, calls it read, and leaves a message.
     const std::string message = input.geterror();
     if (!read || !message.empty()) throw badImage(name, message);
-    return packedRgb(std::move(values), static_cast<std::size_t>(spec.nchannels));
+    if (!isGrey) return values;
+    std::vector<T> rgb;
+    rgb.reserve(3 * values.size());
+    for (const T value : values) rgb.insert(rgb.end(), 3, value);
+    return rgb;
+}
+
+/// OpenEXR's channels have names in any number: R, G and B, or a grey one, else there is no telling
+/// which are meant. OpenImageIO puts R, G and B first.
+void checkChannels(const OIIO::ImageSpec& spec, const std::string& name) {
+    const std::vector<std::string>& names = spec.channelnames;
+    // "R" of "R", "Red" and "beauty.R".
+    const auto initialOf = [](const std::string& channel) {
+        const std::size_t begin = channel.rfind('.') + 1;
+        return begin < channel.size() ? std::toupper(static_cast<unsigned char>(channel[begin]))
+                                      : 0;
+    };
+    const bool isColor = names.size() >= 3 && initialOf(names[0]) == 'R' &&
+                         initialOf(names[1]) == 'G' && initialOf(names[2]) == 'B';
+    const bool isGrey = names.size() == 1 || (names.size() == 2 && names[0] == "Y");
+    if (isColor || isGrey) return;
+    throw badImage(name,
+                   fmt::format("its channels are {}, and R, G and B, or a grey one, are needed",
+                               fmt::join(names, ", ")));
 }
 
 /// An image that OpenImageIO has opened from memory, and whose header is possible.
 struct OpenImage {
-    OpenImage(std::span<const char> bytes, const std::string& name)
+    OpenImage(std::span<const char> bytes, const std::string& name, const ReadLimits& limits)
         : memory(const_cast<char*>(bytes.data()), bytes.size()) {
         if (beginsAsExr(bytes)) checkExrHeader(bytes, name);
         input = OIIO::ImageInput::open("image." + lowerExtension(name), nullptr, &memory);
         if (!input) throw badImage(name, OIIO::geterror());
         const OIIO::ImageSpec& spec = input->spec();
-        checkImageSize(spec.width, spec.height, bytes.size(), name);
+        checkImageSize(spec.width, spec.height, bytes.size(), name, limits);
         if (spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 64 || spec.deep) {
             throw badImage(name, fmt::format("it declares {} layers of {} {}channels", spec.depth,
                                              spec.nchannels, spec.deep ? "deep " : ""));
         }
+        if (beginsAsExr(bytes)) checkChannels(spec, name);
     }
 
     OIIO::Filesystem::IOMemReader memory;
@@ -159,25 +170,35 @@ bool isLinearFormat(const std::string& name) {
     return extension == "exr" || extension == "hdr" || extension == "rgbe" || extension == "pfm";
 }
 
-void checkImageSize(int width, int height, std::size_t bytes, const std::string& name) {
-    const bool isPossible =
-        width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide &&
-        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) <= kMaxExpansion * bytes;
-    if (isPossible) return;
-    throw badImage(name,
-                   fmt::format("it declares {} x {} pixels in {} bytes", width, height, bytes));
+void checkImageSize(int width, int height, std::size_t bytes, const std::string& name,
+                    const ReadLimits& limits) {
+    const bool hasSides =
+        width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide;
+    const std::size_t pixels =
+        hasSides ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
+    if (!hasSides || pixels > kMaxExpansion * bytes) {
+        throw badImage(name,
+                       fmt::format("it declares {} x {} pixels in {} bytes", width, height, bytes));
+    }
+    if (pixels > limits.imagePixels) {
+        throw std::runtime_error(fmt::format(
+            "{}: has {} x {} pixels, and {} are allowed; --max-image-pixels allows more", name,
+            width, height, limits.imagePixels));
+    }
 }
 
-ImageSize imageSize(std::span<const char> bytes, const std::string& name) {
-    if (const auto size = jpegSize(bytes, name)) return *size;
-    const OpenImage image(bytes, name);
+ImageSize imageSize(std::span<const char> bytes, const std::string& name,
+                    const ReadLimits& limits) {
+    if (const auto size = jpegSize(bytes, name, limits)) return *size;
+    const OpenImage image(bytes, name, limits);
     return {image.input->spec().width, image.input->spec().height};
 }
 
-EncodedImage decodeImage(std::span<const char> bytes, const std::string& name) {
+EncodedImage decodeImage(std::span<const char> bytes, const std::string& name,
+                         const ReadLimits& limits) {
     if (bytes.empty()) throw badImage(name, "the file is empty");
-    if (auto jpeg = decodeJpeg(bytes, name)) return std::move(*jpeg);
-    const OpenImage open(bytes, name);
+    if (auto jpeg = decodeJpeg(bytes, name, limits)) return std::move(*jpeg);
+    const OpenImage open(bytes, name, limits);
     const OIIO::ImageSpec& spec = open.input->spec();
     EncodedImage image{spec.width, spec.height, {}};
     const int orientation = orientationOf(*open.input);

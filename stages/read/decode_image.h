@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abrdf/encoded_image.h"
+#include "stages/read/read_limits.h"
 
 #include <span>
 #include <string>
@@ -16,7 +17,8 @@ bool isImageName(const std::string& name);
 /// turned upright.
 /// `name` tells the format by its extension and stands in messages.
 /// Throws std::runtime_error for anything that is not a whole image.
-EncodedImage decodeImage(std::span<const char> bytes, const std::string& name);
+EncodedImage decodeImage(std::span<const char> bytes, const std::string& name,
+                         const ReadLimits& limits = {});
 
 struct ImageSize {
     int width = 0;
@@ -24,11 +26,13 @@ struct ImageSize {
 };
 
 /// What an image's header declares. Throws as decodeImage().
-ImageSize imageSize(std::span<const char> bytes, const std::string& name);
+ImageSize imageSize(std::span<const char> bytes, const std::string& name,
+                    const ReadLimits& limits = {});
 
 /// Throws std::runtime_error for a size that no photograph of a material has, or that no file of
-/// `bytes` bytes can hold, before memory is taken for it.
-void checkImageSize(int width, int height, std::size_t bytes, const std::string& name);
+/// `bytes` bytes can hold, or above the limits, before memory is taken for it.
+void checkImageSize(int width, int height, std::size_t bytes, const std::string& name,
+                    const ReadLimits& limits);
 
 /// True where the format's values are linear already (OpenEXR, Radiance HDR, PFM).
 bool isLinearFormat(const std::string& name);

@@ -42,7 +42,8 @@ const unsigned char* dataOf(std::span<const char> bytes) {
 
 }  // namespace
 
-std::optional<ImageSize> jpegSize(std::span<const char> bytes, const std::string& name) {
+std::optional<ImageSize> jpegSize(std::span<const char> bytes, const std::string& name,
+                                  const ReadLimits& limits) {
     if (!beginsAsJpeg(bytes)) return {};
     Decoder& decoder = decoderOfThread();
     ImageSize size;
@@ -53,19 +54,22 @@ std::optional<ImageSize> jpegSize(std::span<const char> bytes, const std::string
         throw faultOf(decoder, name);
     }
     if (colorSpace == TJCS_CMYK || colorSpace == TJCS_YCCK) return {};
-    checkImageSize(size.width, size.height, bytes.size(), name);
+    checkImageSize(size.width, size.height, bytes.size(), name, limits);
     return size;
 }
 
-std::optional<EncodedImage> decodeJpeg(std::span<const char> bytes, const std::string& name) {
-    const auto size = jpegSize(bytes, name);
+std::optional<EncodedImage> decodeJpeg(std::span<const char> bytes, const std::string& name,
+                                       const ReadLimits& limits) {
+    const auto size = jpegSize(bytes, name, limits);
     if (!size) return {};
     Decoder& decoder = decoderOfThread();
     std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(size->width) *
                                   static_cast<std::size_t>(size->height));
+    // At most 500 scans: a few kilobytes could else keep a core busy for hours.
+    constexpr int kFlags = TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS;
     // A cut file is a warning there, with grey in place of what is missing.
     if (tjDecompress2(decoder.get(), dataOf(bytes), bytes.size(), rgb.data(), size->width, 0,
-                      size->height, TJPF_RGB, TJFLAG_ACCURATEDCT) != 0) {
+                      size->height, TJPF_RGB, kFlags) != 0) {
         throw faultOf(decoder, name);
     }
     return EncodedImage{size->width, size->height, std::move(rgb)};

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/environment_reader.h"
 
+#include "stages/read/decode_image.h"
+#include "stages/read/exr_header_check.h"
+#include "stages/read/mapped_file.h"
+
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -15,14 +19,17 @@ EnvironmentFile readEnvironment(const std::filesystem::path& path) {
             "studio, or sky",
             path.string(), why));
     };
+    if (!std::filesystem::is_regular_file(path)) fail("there is no such file");
+    {
+        const MappedFile map(path);
+        if (beginsAsExr(map.bytes())) checkExrHeader(map.bytes(), path.string());
+    }
     const auto input = OIIO::ImageInput::open(path.string());
     if (!input) fail(OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.nchannels < 3) fail(fmt::format("it has {} channels", spec.nchannels));
-    constexpr int kMost = 1 << 15;
-    if (spec.width < 2 || spec.height < 1 || spec.width > kMost || spec.height > kMost) {
-        fail(fmt::format("it has {} x {} pixels", spec.width, spec.height));
-    }
+    if (spec.width < 2) fail(fmt::format("it has {} x {} pixels", spec.width, spec.height));
+    checkImageSize(spec.width, spec.height, std::filesystem::file_size(path), path.string(), {});
     EnvironmentFile file;
     file.map.width = spec.width;
     file.map.height = spec.height;

@@ -18,10 +18,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// No photograph is larger; a declared size above it is a bomb or a lie.
-constexpr std::uint64_t kMaxFileSize = std::uint64_t{1} << 30;
+/// A declared size above the limit is a bomb or a lie.
+void checkFileSize(std::uint64_t size, std::uint64_t most, const std::string& name) {
+    if (size <= most) return;
+    throw std::runtime_error(
+        fmt::format("{}: is too large for an image: {} bytes, and {} are allowed; --max-file-size "
+                    "allows more",
+                    name, size, most));
+}
 
-std::vector<char> readFile(const fs::path& path) {
+std::vector<char> readFile(const fs::path& path, std::uint64_t most) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream) {
         throw std::runtime_error(
@@ -33,10 +39,7 @@ std::vector<char> readFile(const fs::path& path) {
         throw std::runtime_error(
             fmt::format("{}: cannot be read: {}", path.string(), error.message()));
     }
-    if (size > kMaxFileSize) {
-        throw std::runtime_error(
-            fmt::format("{}: is too large for an image: {} bytes", path.string(), size));
-    }
+    checkFileSize(size, most, path.string());
     std::vector<char> bytes(size);
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) {
         throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
@@ -73,7 +76,8 @@ struct FileSource::Zip {
     }
 };
 
-FileSource::FileSource(const fs::path& path) : path_(path) {
+FileSource::FileSource(const fs::path& path, const ReadLimits& limits)
+    : path_(path), limits_(limits) {
     if (fs::is_directory(path)) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
             if (entry.is_regular_file()) {
@@ -100,14 +104,14 @@ FileSource::FileSource(const fs::path& path) : path_(path) {
     zip_->giveBack(std::move(archive));
 }
 
-FileSource::FileSource(fs::path folder, std::vector<std::string> names)
-    : path_(std::move(folder)), names_(std::move(names)) {}
+FileSource::FileSource(fs::path folder, std::vector<std::string> names, const ReadLimits& limits)
+    : path_(std::move(folder)), limits_(limits), names_(std::move(names)) {}
 
 FileSource::~FileSource() = default;
 FileSource::FileSource(FileSource&&) noexcept = default;
 
 std::vector<char> FileSource::read(std::size_t index) const {
-    if (!zip_) return readFile(path_ / names_[index]);
+    if (!zip_) return readFile(path_ / names_[index], limits_.fileBytes);
 
     ZipHandle archive = zip_->borrow();
     const zip_uint64_t entry = zip_->entries[index];
@@ -118,7 +122,7 @@ std::vector<char> FileSource::read(std::size_t index) const {
     if (zip_stat_index(archive.get(), entry, 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0) {
         throw fail(zip_strerror(archive.get()));
     }
-    if (stat.size > kMaxFileSize) throw fail(fmt::format("it unpacks to {} bytes", stat.size));
+    checkFileSize(stat.size, limits_.fileBytes, fullName(index));
     zip_file_t* file = zip_fopen_index(archive.get(), entry, 0);
     if (file == nullptr) throw fail(zip_strerror(archive.get()));
     // Grown with what really comes: a header that lies about the size allocates nothing.

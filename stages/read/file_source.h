@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "stages/read/read_limits.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -14,20 +16,24 @@ namespace abrdf {
 class FileSource {
   public:
     /// Throws std::runtime_error where `path` is neither a readable folder nor a zip.
-    explicit FileSource(const std::filesystem::path& path);
+    explicit FileSource(const std::filesystem::path& path, const ReadLimits& limits = {});
 
     /// These files below a folder, in their order; they need not exist.
-    FileSource(std::filesystem::path folder, std::vector<std::string> names);
+    FileSource(std::filesystem::path folder, std::vector<std::string> names,
+               const ReadLimits& limits = {});
 
     ~FileSource();
     FileSource(FileSource&&) noexcept;
 
     const std::filesystem::path& path() const { return path_; }
 
+    const ReadLimits& limits() const { return limits_; }
+
     /// Paths of all regular files below, with '/' between folders, sorted.
     const std::vector<std::string>& names() const { return names_; }
 
-    /// The whole file names()[index]; from any thread. Throws std::runtime_error that names it.
+    /// The whole file names()[index], within limits(); from any thread. Throws std::runtime_error
+    /// that names it.
     std::vector<char> read(std::size_t index) const;
 
     /// Bytes of the file names()[index] as stored, without reading it.
@@ -40,6 +46,7 @@ class FileSource {
     struct Zip;
 
     std::filesystem::path path_;
+    ReadLimits limits_;
     std::vector<std::string> names_;
     std::unique_ptr<Zip> zip_;
 };

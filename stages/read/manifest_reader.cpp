@@ -2,6 +2,7 @@
 //
 // A CSV manifest: a header line file,theta_i,phi_i,theta_v,phi_v, then a row an image, angles in
 // degrees; paths are relative to the manifest's folder. Any list of pairs.
+#include "abrdf/text_file.h"
 #include "stages/read/database_path.h"
 #include "stages/read/photograph_reader.h"
 
@@ -9,7 +10,7 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace abrdf {
@@ -75,7 +76,7 @@ bool recognizesManifest(const DatabasePath& path) {
 }
 
 std::unique_ptr<BtfReader> makeManifestReader(const DatabasePath& path) {
-    std::ifstream stream(path.path);
+    std::istringstream stream(textOfFile(path.path));
     std::string line;
     std::getline(stream, line);  // The header.
     std::vector<std::string> names;
@@ -100,7 +101,8 @@ std::unique_ptr<BtfReader> makeManifestReader(const DatabasePath& path) {
     format.source = path.name();
     format.cosineFrom = "assumed: photographs of a flat sample";
     format.isList = true;
-    auto files = std::make_shared<FileSource>(path.path.parent_path(), std::move(names));
+    auto files = std::make_shared<FileSource>(path.path.parent_path(), std::move(names),
+                                              path.options.limits);
     return makePhotographReader(std::move(files), photographs, format);
 }
 

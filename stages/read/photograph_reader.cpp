@@ -79,7 +79,7 @@ class PhotographReader : public BtfReader {
 
   private:
     EncodedImage decoded(std::size_t pair) const {
-        return decodeImage(files_->read(fileOfPair_[pair]), fileOf(pair));
+        return decodeImage(files_->read(fileOfPair_[pair]), fileOf(pair), files_->limits());
     }
 
     void placePhotographs(const std::vector<Photograph>& photographs) {

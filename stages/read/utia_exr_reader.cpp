@@ -30,7 +30,7 @@ bool recognizesUtiaExr(const DatabasePath& path) {
     if (path.files || !path.head.starts_with(kExrMagic) || isAtlas(path.path)) return false;
     try {
         const MappedFile map(path.path);
-        const ImageSize size = imageSize(map.bytes(), exrName(path));
+        const ImageSize size = imageSize(map.bytes(), exrName(path), path.options.limits);
         return size.width == kSide && size.height == kSide;
     } catch (const std::runtime_error&) {
         return false;
@@ -39,7 +39,7 @@ bool recognizesUtiaExr(const DatabasePath& path) {
 
 std::unique_ptr<BtfReader> makeUtiaExrReader(const DatabasePath& path) {
     const MappedFile map(path.path);
-    const EncodedImage image = decodeImage(map.bytes(), exrName(path));
+    const EncodedImage image = decodeImage(map.bytes(), exrName(path), path.options.limits);
     map.checkWhole();
     const auto* floats = std::get_if<std::vector<float>>(&image.rgb);
     if (floats == nullptr) {

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 
 namespace abrdf {
 
@@ -68,7 +69,8 @@ Eigen::MatrixX3d CensoredSamples::restored(const Eigen::MatrixX3d& colors) const
     Eigen::MatrixX3d result = colors;
     for (const Eigen::Index row : clipped) {
         const double light = (std::exp(logs(row)) - kPriorFloor) * scale;
-        result.row(row) *= std::max(light / luminance(row), 1.0);
+        const double gain = light / luminance(row);
+        if (gain > 1 && std::isfinite(gain)) result.row(row) *= gain;
     }
     return result;
 }

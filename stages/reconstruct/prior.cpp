@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace abrdf {
@@ -123,6 +124,16 @@ class Prior : public Reconstructor {
 }  // namespace
 
 std::unique_ptr<Reconstructor> makePrior(const ReconstructionTask& task) {
+    const ReconstructOptions& options = task.options;
+    const bool areNumbers = std::isfinite(options.noise) && options.noise >= 0 &&
+                            std::isfinite(options.saturated) && options.saturated >= 0 &&
+                            options.rank >= 0;
+    if (!areNumbers) {
+        throw std::invalid_argument(
+            fmt::format("noise {}, saturated {} and rank {} of the prior must be numbers of at "
+                        "least 0",
+                        options.noise, options.saturated, options.rank));
+    }
     if (!task.prior || task.prior->samples.size() != task.samples.count() ||
         task.prior->outputs.size() != distinctPairs(pairsOf(task.output)).distinct.size()) {
         throw std::invalid_argument(

@@ -45,7 +45,7 @@ ChoiceTexels choiceTexels(const PriorModel& model, const Eigen::MatrixXd& lumina
     Eigen::Index count = 0;
     for (const auto& column : luminance.colwise()) {
         const LogSamples logs = logSamples(model, column);
-        if (logs.scale <= 0) continue;
+        if (!(logs.scale > 0)) continue;
         texels.z.col(count) = logs.z;
         texels.shown(count) = logs.scale * exposure;
         texels.lightness.col(count) = (column * exposure).unaryExpr(&lightness);

@@ -46,7 +46,7 @@ std::int64_t writeNowhere(exr_const_context_t, void*, const void*, std::uint64_t
 
 /// Frees what an encoder took.
 struct Pipeline {
-    exr_encode_pipeline_t encode{};
+    exr_encode_pipeline_t encode{};  // As EXR_ENCODE_PIPELINE_INITIALIZER, which clang warns of.
     exr_const_context_t context = nullptr;
 
     Pipeline() = default;

@@ -48,6 +48,18 @@ TEST_CASE("a wrapped azimuth is the same angle in 0 .. 2 pi, and 2 pi is never r
     }
 }
 
+TEST_CASE("an azimuth of any number is wrapped, and one that is no number is 0") {
+    for (const double angle : {1e10, -1e10, 1e15, -3.3e17, 1e30, -1e300}) {
+        CAPTURE(angle);
+        CHECK(wrappedAzimuth(angle) >= 0);
+        CHECK(wrappedAzimuth(angle) < 2 * kPi);
+    }
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const double angle : {kInfinity, -kInfinity, std::nan("")}) {
+        CHECK(wrappedAzimuth(angle) == 0);
+    }
+}
+
 TEST_CASE("the angle between two directions is symmetric, exact when small, and pi when opposite") {
     CHECK(angleBetween({0.7, 2}, {0.7, 2}) == 0);
     CHECK(angleBetween({0.7, 2}, {0.7 + 1e-9, 2}) == doctest::Approx(1e-9).epsilon(1e-5));

@@ -46,7 +46,7 @@ int writeSeeds(const abrdf::FuzzTarget& target, const fs::path& folder) {
 
 int main(int argc, char** argv) {
     if (argc < 3) return 2;
-    const abrdf::FuzzTarget& target = abrdf::fuzzTargetFromName(argv[1]);
+    const abrdf::FuzzTarget target = abrdf::fuzzTargetFromName(argv[1]);
     if (argc > 3) return writeSeeds(target, argv[3]);
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);

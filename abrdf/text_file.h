@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace abrdf {
+
+/// The text of a job file, a plan, a list or a report. It may come from a pipe; at most 64 MB of it
+/// are taken, so that no device or mistaken database fills the memory.
+/// Throws std::runtime_error that names the file.
+std::string textOfFile(const std::filesystem::path& file);
+
+}  // namespace abrdf

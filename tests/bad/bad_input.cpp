@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/bad/bad_input.h"
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <set>
+
+namespace abrdf {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr const char* kBounded = "";  // Sanitizers take terabytes of addresses.
+#else
+constexpr const char* kBounded = "prlimit --as=3221225472";
+#endif
+
+std::set<std::string> filesIn(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        names.insert(entry.path().lexically_relative(folder).string());
+    }
+    return names;
+}
+
+}  // namespace
+
+void checkBadInputs(const std::vector<BadInput>& inputs) {
+    for (const BadInput& input : inputs) {
+        CAPTURE(input.what);
+        const TemporaryFolder outside;
+        const fs::path folder = outside.path() / "in";
+        fs::create_directory(folder);
+        input.make(folder);
+        const std::set<std::string> before = filesIn(outside.path());
+        const ProgramRun run = runProgram(folder, input.arguments, kBounded);
+        CAPTURE(run.out);
+        CAPTURE(run.err);
+        CHECK(run.status == input.status);
+        CHECK(std::regex_search(run.out + run.err, std::regex(input.says)));
+        if (run.status != 0) CHECK(std::ranges::count(run.err, '\n') <= 1);
+        std::set<std::string> after = filesIn(outside.path());
+        if (run.status == 0) after.erase("in/out.exr");
+        CHECK(after == before);
+    }
+}
+
+void put(const fs::path& file, const std::string& bytes) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << bytes;
+}
+
+std::string stackImage(const std::string& extension) {
+    return "stack/tv000_pv000/00001 tl000 pl000 tv000 pv000." + extension;
+}
+
+}  // namespace abrdf
