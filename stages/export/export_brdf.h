@@ -23,6 +23,11 @@ struct ExportSource {
 struct ExportOptions {
     UtiaEncoding utiaEncoding = UtiaEncoding::kLinear;  ///< Of utia-bin and utia-exr.
     int azimuths = 12;  ///< Turns of the sample that an isotropic average is taken over, 1 .. 360.
+    double tolerance = 1;  ///< Of rgl and radiance: mean Delta E between a material's turns up to
+                           ///< which it is isotropic; >= 0.
+    bool spectra = false;  ///< Of rgl: smooth spectra beside RGB.
+    int resolution = 0;    ///< Of rgl: samples a side for each direction, 8 .. 512; 0: 128 where
+                           ///< isotropic, else 32.
 };
 
 /// What a format's file says, for the JSON beside it.
