@@ -91,9 +91,8 @@ Rgb RglTable::evaluate(const LightAndView& pair) const {
     double factor = kPi;
     if (data_.jacobian) {
         constexpr TableBlend kOnly = {{0, 0, 0, 0}, {1, 0, 0, 0}};
-        factor *=
-            data_.ndf.at(micronormal, kOnly) /
-            (4 * data_.sigma.at({rglFromTheta(pair.view.theta), rglFromPhi(phiIn)}, kOnly));
+        factor *= data_.ndf.at(micronormal, kOnly) /
+                  (4 * data_.sigma.at({rglFromTheta(pair.view.theta), rglFromPhi(phiIn)}, kOnly));
     }
     const auto channel = [&](std::size_t c) {
         TableBlend tables = blend;

@@ -54,9 +54,8 @@ double reach(double a, double b, double area) {
 /// The last node but one whose integral is not past `area`.
 std::size_t nodeBefore(std::span<const double> integral, double area) {
     const auto above = std::upper_bound(integral.begin(), integral.end() - 1, area);
-    return static_cast<std::size_t>(
-        std::max<std::ptrdiff_t>(0, std::min(above - integral.begin() - 1,
-                                             std::ssize(integral) - 2)));
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(
+        0, std::min(above - integral.begin() - 1, std::ssize(integral) - 2)));
 }
 
 }  // namespace
@@ -144,8 +143,7 @@ double TabulatedWarp::density(SquarePlace place, const TableBlend& blend) const 
 
 double TabulatedWarp::nodeDensity(std::size_t x, std::size_t y, std::size_t table) const {
     const std::size_t width = density_.width_;
-    return static_cast<double>(
-        density_.values_[table * width * density_.height_ + y * width + x]);
+    return static_cast<double>(density_.values_[table * width * density_.height_ + y * width + x]);
 }
 
 SquarePlace TabulatedWarp::warp(SquarePlace place, std::size_t table) const {

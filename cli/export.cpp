@@ -57,15 +57,23 @@ void addExport(CLI::App& app, RunCommand& runCommand) {
     command->add_option_function<std::string>(
         "--texel", [job](const std::string& name) { job->texel = texelPlaceFromName(name); },
         "X,Y from the top left, instead of the mean over all texels");
-    command->add_option("--tolerance", job->options.tolerance,
-                        "of rgl and radiance: mean Delta E between turns of the sample up to which "
-                        "it is isotropic")
+    command
+        ->add_option("--tolerance", job->options.tolerance,
+                     "of rgl and radiance: mean Delta E between turns of the sample up to which "
+                     "it is isotropic")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_flag("--spectra", job->options.spectra,
                       "of rgl: smooth spectra beside RGB, as Mitsuba and pbrt ask for");
-    command->add_option("--resolution", job->options.resolution,
-                        "of rgl: samples a side for each direction (else 128 where isotropic, 32)")
+    command
+        ->add_option("--cull", job->options.cull,
+                     "of radiance: percent of a tree's leaves that are merged")
+        ->check(CLI::Range(0, 100))
+        ->capture_default_str();
+    command
+        ->add_option("--resolution", job->options.resolution,
+                     "of rgl: samples a side for each direction (else 128, 64 of a grid, 32 where "
+                     "anisotropic)")
         ->check(CLI::Range(8, 512));
     addGrazingOption(*command, job->grazing);
     command->callback([job, &runCommand] {

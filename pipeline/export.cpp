@@ -42,8 +42,8 @@ ImageStack stackOf(const OpenedInput& input, const SampleSet& samples,
     if (!texel) return readStack(input, samples, {1, 1}, progress).stack;
     const BtfDescription& description = input.description();
     const auto width = static_cast<std::size_t>(description.width);
-    const std::size_t place = static_cast<std::size_t>(texel->y) * width +
-                              static_cast<std::size_t>(texel->x);
+    const std::size_t place =
+        static_cast<std::size_t>(texel->y) * width + static_cast<std::size_t>(texel->x);
     ImageStack stack(samples.pairs, 1, 1);
     constexpr std::size_t kAtOnce = 8;
     readImages(
@@ -57,10 +57,10 @@ ImageStack stackOf(const OpenedInput& input, const SampleSet& samples,
 
 void checkTexel(const std::optional<TexelPlace>& texel, const BtfDescription& description) {
     if (!texel || (texel->x < description.width && texel->y < description.height)) return;
-    throw std::runtime_error(fmt::format("{}: it has {} x {} texels, and none at {},{}; count from "
-                                         "0,0 at the top left",
-                                         description.source, description.width, description.height,
-                                         texel->x, texel->y));
+    throw std::runtime_error(
+        fmt::format("{}: it has {} x {} texels, and none at {},{}; count from "
+                    "0,0 at the top left",
+                    description.source, description.width, description.height, texel->x, texel->y));
 }
 
 /// Fewer than this are no hemisphere: what lies between them would be a guess.
@@ -124,8 +124,9 @@ ordered_json exportBrdf(const ExportJob& job, const ProgressSink& progress) {
     const auto measured = measuredBrdf(input, job.texel, progress);
     const GrazingBrdf brdf(*measured, description.maxMeasuredTheta, job.grazing,
                            description.cosine);
-    const ExportReport written =
-        format.write(job.output, {brdf, description.cosine, description.source}, job.options);
+    const ExportReport written = format.write(
+        job.output, {brdf, description.cosine, description.source, !input.reader->table()},
+        job.options);
     ordered_json report;
     report["format"] = format.name;
     report["description"] = format.description;

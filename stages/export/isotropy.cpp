@@ -36,7 +36,8 @@ PairSums sumsOf(const ExportSource& source, const LightAndView& pair, int azimut
     const auto pi = static_cast<float>(kPi);
     const Lab lab = labFromLinearRec709(pi * mean);
     PairSums sums;
-    sums.weight = std::cos(pair.view.theta) * std::sin(pair.view.theta) * std::sin(pair.light.theta);
+    sums.weight =
+        std::cos(pair.view.theta) * std::sin(pair.view.theta) * std::sin(pair.light.theta);
     for (int k = 0; k < azimuths; ++k) {
         const LightAndView there = turnedPair(pair, 2 * kPi * k / azimuths);
         const Rgb value = brdf.evaluate(there);
@@ -107,9 +108,10 @@ nlohmann::ordered_json reportOf(const Symmetries& symmetries) {
 nlohmann::ordered_json notesOn(const Symmetries& symmetries, double tolerance) {
     const bool isotropic = symmetries.turnDeltaE <= tolerance;
     const std::string azimuth =
-        isotropic ? fmt::format("isotropic: turns of the sample differ by {:.2g} Delta E (up to "
-                                "{:g} is allowed); their mean loses {:.3g} % of the energy",
-                                symmetries.turnDeltaE, tolerance, 100 * symmetries.turnShare)
+        isotropic ? fmt::format(
+                        "isotropic: turns of the sample differ by {:.2g} Delta E (up to "
+                        "{:g} is allowed); their mean loses {:.3g} % of the energy",
+                        symmetries.turnDeltaE, tolerance, 100 * symmetries.turnShare)
                   : fmt::format("anisotropic: turns of the sample differ by {:.2g} Delta E",
                                 symmetries.turnDeltaE);
     const std::string reciprocity = fmt::format(

@@ -52,9 +52,9 @@ std::vector<double> areas(const DirectionNodes& to, const DirectionNodes& from,
             const Direction w = to.at(i % to.thetas, i / to.thetas);
             const Imath::V3d vector = vectorFromDirection(w);
             for (std::size_t j = 0; j < density.size(); ++j) {
-                const double cosine =
-                    from.phis == 2 ? meanCosine(w.theta, from.at(j % from.thetas, 0).theta)
-                                   : std::max(0.0, vector.dot(normals[j]));
+                const double cosine = from.phis == 2
+                                          ? meanCosine(w.theta, from.at(j % from.thetas, 0).theta)
+                                          : std::max(0.0, vector.dot(normals[j]));
                 result[i] += weights[j] * cosine;
             }
         }
@@ -108,14 +108,16 @@ NormalDistribution distributionFromRetro(std::size_t phis,
         }
     });
     // sigma is smooth: a coarse set of directions finds it.
-    const DirectionNodes coarse{phis == 2 ? fine.thetas : 32, phis == 2 ? 2 : std::min(phis, std::size_t{33})};
+    const DirectionNodes coarse{phis == 2 ? fine.thetas : 32,
+                                phis == 2 ? 2 : std::min(phis, std::size_t{33})};
     std::vector<double> area(coarse.thetas * coarse.phis, 1);
     result.density.resize(seen.size());
     constexpr int kIterations = 8;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
         std::vector<double> density(area.size());
         for (std::size_t i = 0; i < area.size(); ++i) {
-            density[i] = area[i] * valueAt(fine, seen, coarse.at(i % coarse.thetas, i / coarse.thetas));
+            density[i] =
+                area[i] * valueAt(fine, seen, coarse.at(i % coarse.thetas, i / coarse.thetas));
         }
         normalize(coarse, density);
         area = areas(coarse, coarse, density);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // RGL tensor file .bsdf [Dupuy and Jakob 2018, "An adaptive parameterization for efficient material
-// acquisition and rendering"]: f cos(theta_o) = S(warped u_m) D(m) / (4 sigma(w_i)), in which w_i is
-// the viewer's side, as path tracers ask it.
+// acquisition and rendering"]: f cos(theta_o) = S(warped u_m) D(m) / (4 sigma(w_i)), in which w_i
+// is the viewer's side, as path tracers ask it.
 #include "abrdf/for_each_texel.h"
 #include "abrdf/rgl_table.h"
 #include "stages/export/isotropy.h"
@@ -23,15 +23,15 @@ constexpr TableBlend kOnly = {{0, 0, 0, 0}, {1, 0, 0, 0}};
 /// How finely a file is tabulated.
 struct Shape {
     bool isotropic = true;
-    std::size_t phis = 1;    ///< Azimuths of w_i that differ.
-    std::size_t warp = 0;    ///< Side of a table of visible normals.
-    std::size_t side = 0;    ///< Side of a table of samples.
-    Radians step = 0;        ///< Of the elevations of w_i, at most.
+    std::size_t phis = 1;       ///< Azimuths of w_i that differ.
+    std::size_t warp = 0;       ///< Side of a table of visible normals.
+    std::size_t side = 0;       ///< Side of a table of samples.
+    Radians step = 0;           ///< Of the elevations of w_i, at most.
     std::vector<float> thetas;  ///< 0 .. pi/2.
 };
 
-/// Isotropic files hold one azimuth twice.
 const Shape kIsotropic{true, 1, 128, 128, radiansFromDegrees(3), {}};
+const Shape kIsotropicSampled{true, 1, 128, 64, radiansFromDegrees(5), {}};
 const Shape kAnisotropic{false, 25, 64, 32, radiansFromDegrees(7.5), {}};
 constexpr std::size_t kDistributionPhis = 65;
 
@@ -52,9 +52,8 @@ std::vector<float> elevations(const BrdfTable& brdf, Radians step) {
 }
 
 Direction incident(const Shape& shape, std::size_t phi, std::size_t theta) {
-    const double turn = shape.phis == 1 ? 0.5
-                                        : static_cast<double>(phi) /
-                                              static_cast<double>(shape.phis - 1);
+    const double turn =
+        shape.phis == 1 ? 0.5 : static_cast<double>(phi) / static_cast<double>(shape.phis - 1);
     return {static_cast<double>(shape.thetas[theta]), phiFromRgl(turn)};
 }
 
@@ -78,7 +77,8 @@ std::vector<float> sampleDensity(const Shape& shape, const TableStack& ndf,
     std::vector<float> values(shape.phis * shape.thetas.size() * size);
     const auto last = static_cast<double>(shape.warp - 1);
     forEachTexel(shape.phis * shape.thetas.size(), [&](std::size_t table) {
-        const Direction in = incident(shape, table / shape.thetas.size(), table % shape.thetas.size());
+        const Direction in =
+            incident(shape, table / shape.thetas.size(), table % shape.thetas.size());
         const Imath::V3d toViewer = vectorFromDirection(in);
         const double area = sigma.at({rglFromTheta(in.theta), rglFromPhi(in.phi)}, kOnly);
         for (std::size_t i = 0; i < size; ++i) {
@@ -87,9 +87,8 @@ std::vector<float> sampleDensity(const Shape& shape, const TableStack& ndf,
             const Direction m = {thetaFromRgl(place.x), phiFromRgl(place.y)};
             const double cosine = toViewer.dot(vectorFromDirection(m));
             const double angle = 2 * kPi * kPi * place.x * std::sin(m.theta);
-            const double density =
-                (1 - kBroad) * visible(ndf.at(place, kOnly), area, cosine) +
-                kBroad * visible(1 / kPi, (1 + toViewer.z) / 2, cosine);
+            const double density = (1 - kBroad) * visible(ndf.at(place, kOnly), area, cosine) +
+                                   kBroad * visible(1 / kPi, (1 + toViewer.z) / 2, cosine);
             values[table * size + i] = static_cast<float>(density * angle);
         }
     });
@@ -99,7 +98,8 @@ std::vector<float> sampleDensity(const Shape& shape, const TableStack& ndf,
 /// S, a table of side x side for each w_i.
 struct Samples {
     std::vector<Rgb> values;
-    std::vector<float> shares;  ///< What a sample counts in the energy: visible over sample density.
+    std::vector<float>
+        shares;  ///< What a sample counts in the energy: visible over sample density.
     std::vector<std::uint8_t> places;  ///< 0 below the horizon, 1 above, 2 past what was measured.
 };
 
@@ -123,8 +123,8 @@ Samples samplesOf(const Shape& shape, const RglData& data, const ExportSource& s
                                                  static_cast<double>(node / shape.side) / last},
                                                 table);
             // At the pole itself a source could not tell the azimuths apart.
-            const Imath::V3d m = vectorFromDirection(
-                {thetaFromRgl(std::max(place.x, 1e-3)), phiFromRgl(place.y)});
+            const Imath::V3d m =
+                vectorFromDirection({thetaFromRgl(std::max(place.x, 1e-3)), phiFromRgl(place.y)});
             const double cosine = toViewer.dot(m);
             const Imath::V3d out = 2 * cosine * m - toViewer;
             if (out.z <= 0 || cosine <= 0) continue;
@@ -133,8 +133,8 @@ Samples samplesOf(const Shape& shape, const RglData& data, const ExportSource& s
             const double seen = visible(density, area, cosine);
             samples.values[i] = static_cast<float>(4 * area / density) * brdf.evaluate(pair);
             samples.shares[i] = static_cast<float>(
-                seen / ((1 - kBroad) * seen +
-                        kBroad * visible(1 / kPi, (1 + toViewer.z) / 2, cosine)));
+                seen /
+                ((1 - kBroad) * seen + kBroad * visible(1 / kPi, (1 + toViewer.z) / 2, cosine)));
             samples.places[i] = source.brdf.isExtrapolated(pair) ? 2 : 1;
         }
     });
@@ -186,8 +186,8 @@ std::vector<float> luminances(const Samples& samples, std::size_t size) {
     for (std::size_t begin = 0; begin < values.size(); begin += size) {
         float most = 0;
         for (std::size_t i = begin; i < begin + size; ++i) {
-            values[i] = std::max(0.0F, static_cast<float>(luminanceOf(samples.values[i])) *
-                                           samples.shares[i]);
+            values[i] = std::max(
+                0.0F, static_cast<float>(luminanceOf(samples.values[i])) * samples.shares[i]);
             most = std::max(most, values[i]);
         }
         if (most <= 0) std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(begin), size, 1.0F);
@@ -229,10 +229,13 @@ struct Frame {
 
 Frame frameOf(const ExportSource& source, const ExportOptions& options, bool isotropic,
               const TurnedBrdf& brdf) {
-    Frame frame{isotropic ? kIsotropic : kAnisotropic,
-                distributionFromRetro(
-                    isotropic ? 2 : kDistributionPhis,
-                    [&](Direction m) { return luminanceOf(brdf.evaluate({m, m})); }),
+    Frame frame{!isotropic         ? kAnisotropic
+                : source.isSampled ? kIsotropicSampled
+                                   : kIsotropic,
+                distributionFromRetro(isotropic ? 2 : kDistributionPhis,
+                                      [&](Direction m) {
+                                          return luminanceOf(brdf.evaluate({m, m}));
+                                      }),
                 {{}, {}, {2, 2, {}}, {2, 2, {}}, {2, 2, {}}, {2, 2, {}}, true}};
     Shape& shape = frame.shape;
     shape.thetas = elevations(source.brdf, shape.step);
@@ -255,8 +258,8 @@ TensorFile fileOf(const Frame& frame, const Samples& samples, const std::string&
     const std::size_t size = shape.side * shape.side;
     std::vector<float> phiIn;
     for (std::size_t p = 0; p < (shape.isotropic ? 2 : shape.phis); ++p) {
-        phiIn.push_back(static_cast<float>(
-            shape.isotropic ? phiFromRgl(static_cast<double>(p)) : incident(shape, p, 0).phi));
+        phiIn.push_back(static_cast<float>(shape.isotropic ? phiFromRgl(static_cast<double>(p))
+                                                           : incident(shape, p, 0).phi));
     }
     const std::uint64_t phis = phiIn.size();
     const std::uint64_t thetas = shape.thetas.size();
@@ -280,9 +283,8 @@ TensorFile fileOf(const Frame& frame, const Samples& samples, const std::string&
                 static_cast<float>(spectra::kFirst + spectra::kStep * static_cast<double>(k)));
         }
         file.add("wavelengths", {spectra::kCount}, wavelengths);
-        file.add(
-            "spectra", {phis, thetas, spectra::kCount, shape.side, shape.side},
-            everyAzimuth(shape, planesOf(samples.values, size, spectra::kCount, spectra::at)));
+        file.add("spectra", {phis, thetas, spectra::kCount, shape.side, shape.side},
+                 everyAzimuth(shape, planesOf(samples.values, size, spectra::kCount, spectra::at)));
     }
     file.add("jacobian", std::string(1, '\1'));
     return file;

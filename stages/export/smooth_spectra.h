@@ -9,10 +9,10 @@
 namespace abrdf {
 
 /// Reflectance spectra of linear Rec.709 colours, as shares of three primaries: smooth, within
-/// [0, 1], their sum 1, and seen under D65 as red, green and blue to four digits. So a grey is flat,
-/// a mixture is the mixture of its spectra, and values above 1 keep their colour [as Mallett and
-/// Yuksel 2019, "Spectral primary decomposition for rendering with sRGB reflectance"; here the sum
-/// of the squared differences of neighbours is least]. Linear between the nodes.
+/// [0, 1], their sum 1, and seen under D65 as red, green and blue to four digits. So a grey is
+/// flat, a mixture is the mixture of its spectra, and values above 1 keep their colour [as Mallett
+/// and Yuksel 2019, "Spectral primary decomposition for rendering with sRGB reflectance"; here the
+/// sum of the squared differences of neighbours is least]. Linear between the nodes.
 namespace spectra {
 
 constexpr std::size_t kCount = 17;

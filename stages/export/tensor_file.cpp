@@ -24,9 +24,9 @@ void put(std::string& bytes, T number) {
 
 void TensorFile::add(const std::string& name, const std::vector<std::uint64_t>& sizes,
                      const std::vector<float>& values) {
-    fields_.push_back({name, kFloat32, sizes,
-                       std::string(reinterpret_cast<const char*>(values.data()),
-                                   values.size() * sizeof(float))});
+    fields_.push_back(
+        {name, kFloat32, sizes,
+         std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float))});
 }
 
 void TensorFile::add(const std::string& name, const std::string& bytes) {
