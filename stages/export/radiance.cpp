@@ -146,8 +146,8 @@ std::string escaped(const std::string& text) {
 }
 
 Cells cellsOf(const ExportSource& source, const ExportOptions& options, bool isotropic) {
-    Cells cells =
-        isotropic ? Cells{3, source.isSampled ? 5 : 6, 4} : Cells{4, source.isSampled ? 4 : 5, 2};
+    Cells cells = isotropic ? Cells{3, source.isSampled ? 5 : 6, 4}
+                            : Cells{4, source.isSampled ? 4 : 5, source.isSampled ? 4 : 3};
     if (options.resolution == 0) return cells;
     const auto side = static_cast<unsigned>(options.resolution);
     if (!std::has_single_bit(side) || side > (isotropic ? 128U : 32U)) {

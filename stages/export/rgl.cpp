@@ -63,7 +63,7 @@ TableStack stack(const DirectionNodes& nodes, const std::vector<double>& values)
 
 /// Of the samples, what goes to the visible normals of a Lambertian's D = 1/pi: where D alone is
 /// small there would be none.
-constexpr double kBroad = 0.3;
+constexpr double kBroad = 0.2;
 
 /// D(m) <w_i, m> / sigma(w_i), the density of visible normals.
 double visible(double density, double area, double cosine) {

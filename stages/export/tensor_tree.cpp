@@ -13,6 +13,9 @@ namespace abrdf {
 
 namespace {
 
+/// Cells that differ by less are equal.
+constexpr double kRounding = 1e-5;
+
 /// What is known of a cube of cells.
 struct Cube {
     double low = 0;
@@ -164,12 +167,12 @@ TensorTree tensorTree(const std::vector<float>& cells, const std::vector<float>&
     const auto wanted =
         static_cast<std::size_t>(std::ceil((1 - options.cull) * static_cast<double>(options.live)));
     TensorTree tree;
-    // 0 <= (high - low) / mean, and a leaf of everything is within the largest bound.
-    double high = 0;
-    while (maker.leavesAt(high) > wanted && high < 1e12) high = high > 0 ? 2 * high : 1e-6;
-    double low = high > 1e-6 ? high / 2 : 0;
-    constexpr int kBisections = 30;
-    for (int i = 0; i < kBisections && high > 0; ++i) {
+    // A leaf of everything is within the largest bound.
+    double high = kRounding;
+    while (maker.leavesAt(high) > wanted && high < 1e12) high *= 2;
+    double low = high / 2;
+    constexpr int kBisections = 20;
+    for (int i = 0; i < kBisections && high > kRounding; ++i) {
         const double middle = (low + high) / 2;
         (maker.leavesAt(middle) > wanted ? low : high) = middle;
     }
