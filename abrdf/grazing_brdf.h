@@ -14,6 +14,7 @@ class GrazingBrdf : public BrdfTable {
         : brdf_(brdf), maxTheta_(maxTheta), policy_(policy), hasCosine_(cosine == Cosine::kKept) {}
 
     Rgb evaluate(const LightAndView& pair) const override;
+    std::vector<Radians> viewElevations() const override { return brdf_.viewElevations(); }
 
     bool isExtrapolated(const LightAndView& pair) const;
 

@@ -7,15 +7,23 @@
 
 namespace abrdf {
 
-namespace {
-
-double squareFromTheta(Radians theta) {
+double rglFromTheta(Radians theta) {
     return std::sqrt(std::max(0.0, theta) * 2 / kPi);
 }
 
-double squareFromPhi(Radians phi) {
+double rglFromPhi(Radians phi) {
     return (phi + kPi) / (2 * kPi);
 }
+
+Radians thetaFromRgl(double x) {
+    return x * x * kPi / 2;
+}
+
+Radians phiFromRgl(double y) {
+    return (2 * y - 1) * kPi;
+}
+
+namespace {
 
 Radians azimuthOf(const Imath::V3d& v) {
     return std::atan2(v.y, v.x);
@@ -74,18 +82,17 @@ Rgb RglTable::evaluate(const LightAndView& pair) const {
     const Radians thetaHalf = std::atan2(sinHalf, half.z);
     // At the pole rounding would choose the azimuth.
     const Radians phiHalf = sinHalf > 1e-9 ? azimuthOf(half) : phiIn;
-    const double turn = squareFromPhi(phiHalf - (isotropic_ ? phiIn : 0));
+    const double turn = rglFromPhi(phiHalf - (isotropic_ ? phiIn : 0));
     // So would it at half a turn, where the square's two edges meet.
     const double wrapped = turn - std::floor(turn);
-    const SquarePlace micronormal = {squareFromTheta(thetaHalf), wrapped < 1 - 1e-9 ? wrapped : 0};
+    const SquarePlace micronormal = {rglFromTheta(thetaHalf), wrapped < 1 - 1e-9 ? wrapped : 0};
     const TableBlend blend = blendOf(phiIn, pair.view.theta);
     const SquarePlace sample = warp_.invert(micronormal, blend);
     double factor = kPi;
     if (data_.jacobian) {
         constexpr TableBlend kOnly = {{0, 0, 0, 0}, {1, 0, 0, 0}};
-        factor *=
-            data_.ndf.at(micronormal, kOnly) /
-            (4 * data_.sigma.at({squareFromTheta(pair.view.theta), squareFromPhi(phiIn)}, kOnly));
+        factor *= data_.ndf.at(micronormal, kOnly) /
+                  (4 * data_.sigma.at({rglFromTheta(pair.view.theta), rglFromPhi(phiIn)}, kOnly));
     }
     const auto channel = [&](std::size_t c) {
         TableBlend tables = blend;

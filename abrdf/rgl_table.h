@@ -9,6 +9,12 @@
 
 namespace abrdf {
 
+/// The square's coordinates of an angle from the normal and of an azimuth of -pi .. pi, and back.
+double rglFromTheta(Radians theta);
+double rglFromPhi(Radians phi);
+Radians thetaFromRgl(double x);
+Radians phiFromRgl(double y);
+
 /// A material of EPFL's Realistic Graphics Lab, measured where its micronormals say [Dupuy and
 /// Jakob 2018, "An adaptive parameterization for efficient material acquisition and rendering"].
 struct RglData {
@@ -26,6 +32,9 @@ class RglTable : public BrdfTable {
     explicit RglTable(RglData data);
 
     Rgb evaluate(const LightAndView& pair) const override;
+    std::vector<Radians> viewElevations() const override {
+        return {data_.thetaIn.begin(), data_.thetaIn.end()};
+    }
 
   private:
     /// Where an incident direction lies between the measured ones.

@@ -18,6 +18,9 @@ class SampledBrdf : public BrdfTable {
     Rgb evaluate(const LightAndView& pair) const override {
         return interpolation_.value(pair, values_);
     }
+    std::vector<Radians> viewElevations() const override {
+        return AngularInterpolation(grid_.views()).ringThetas();
+    }
 
     const AngularGrid& grid() const { return grid_; }
     const std::vector<Rgb>& values() const { return values_; }

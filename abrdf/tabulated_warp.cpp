@@ -2,6 +2,8 @@
 #include "abrdf/tabulated_warp.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace abrdf {
 
@@ -39,6 +41,21 @@ double blended(const std::vector<float>& values, std::size_t stride, std::size_t
 /// a / b, or 0 where the density is.
 double ratio(double a, double b) {
     return b > 0 ? a / b : 0;
+}
+
+/// How far into an interval of length 1 the integral of a density, linear from `a` to `b` over it,
+/// reaches `area`.
+double reach(double a, double b, double area) {
+    const double slope = b - a;
+    const double root = std::sqrt(std::max(0.0, a * a + 2 * slope * area));
+    return std::clamp(ratio(2 * area, a + root), 0.0, 1.0);
+}
+
+/// The last node but one whose integral is not past `area`.
+std::size_t nodeBefore(std::span<const double> integral, double area) {
+    const auto above = std::upper_bound(integral.begin(), integral.end() - 1, area);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(
+        0, std::min(above - integral.begin() - 1, std::ssize(integral) - 2)));
 }
 
 }  // namespace
@@ -117,6 +134,47 @@ SquarePlace TabulatedWarp::invert(SquarePlace place, const TableBlend& blend) co
     const double upTo = y.share * (whole[0] + 0.5 * y.share * (whole[1] - whole[0]));
     return {ratio(mix(before[0], before[1], y.share) + along, row),
             blended(marginal_, height, y.node, blend) + upTo};
+}
+
+double TabulatedWarp::density(SquarePlace place, const TableBlend& blend) const {
+    const auto cells = static_cast<double>((density_.width_ - 1) * (density_.height_ - 1));
+    return cells * density_.at(place, blend);
+}
+
+double TabulatedWarp::nodeDensity(std::size_t x, std::size_t y, std::size_t table) const {
+    const std::size_t width = density_.width_;
+    return static_cast<double>(density_.values_[table * width * density_.height_ + y * width + x]);
+}
+
+SquarePlace TabulatedWarp::warp(SquarePlace place, std::size_t table) const {
+    const std::size_t width = density_.width_;
+    const std::size_t height = density_.height_;
+    std::vector<double> integral(height);
+    const std::size_t rows = table * height;
+    for (std::size_t y = 0; y < height; ++y) {
+        integral[y] = static_cast<double>(marginal_[rows + y]);
+    }
+    const auto whole = [&](std::size_t y) {
+        return static_cast<double>(conditional_[(rows + y) * width + width - 1]);
+    };
+    const double up = std::clamp(place.y, 0.0, 1.0) * integral.back();
+    const std::size_t y = nodeBefore(integral, up);
+    const double shareY = reach(whole(y), whole(y + 1), up - integral[y]);
+    integral.resize(width);
+    for (std::size_t x = 0; x < width; ++x) {
+        const auto at = [&](std::size_t row) {
+            return static_cast<double>(conditional_[(rows + row) * width + x]);
+        };
+        integral[x] = mix(at(y), at(y + 1), shareY);
+    }
+    const double along = std::clamp(place.x, 0.0, 1.0) * integral.back();
+    const std::size_t x = nodeBefore(integral, along);
+    const auto node = [&](std::size_t at) {
+        return mix(nodeDensity(at, y, table), nodeDensity(at, y + 1, table), shareY);
+    };
+    const double shareX = reach(node(x), node(x + 1), along - integral[x]);
+    return {(static_cast<double>(x) + shareX) / static_cast<double>(width - 1),
+            (static_cast<double>(y) + shareY) / static_cast<double>(height - 1)};
 }
 
 }  // namespace abrdf

@@ -29,6 +29,7 @@ class TableStack {
 
     std::size_t count() const { return values_.size() / (width_ * height_); }
     double at(SquarePlace place, const TableBlend& blend) const;
+    const std::vector<float>& values() const { return values_; }
 
   private:
     friend class TabulatedWarp;
@@ -47,7 +48,15 @@ class TabulatedWarp {
     /// The place whose image under the warp is `place`.
     SquarePlace invert(SquarePlace place, const TableBlend& blend) const;
 
+    /// The inverse: the image of `place`, in one table.
+    SquarePlace warp(SquarePlace place, std::size_t table) const;
+
+    /// The density at a place, of integral 1 over the square.
+    double density(SquarePlace place, const TableBlend& blend) const;
+
   private:
+    double nodeDensity(std::size_t x, std::size_t y, std::size_t table) const;
+
     TableStack density_;
     std::vector<float> conditional_;  ///< Integral along x from 0 to each node.
     std::vector<float> marginal_;     ///< Integral along y of whole rows, from 0 to each node.

@@ -24,6 +24,9 @@ std::string summaryOf(const std::filesystem::path& file, const nlohmann::ordered
             report["lost"]["rms_of_brdf"].get<double>(),
             100 * report["lost"]["share_of_energy"].get<double>());
     }
+    if (report.contains("notes")) {
+        for (const auto& note : report["notes"]) text += note.get<std::string>() + "\n";
+    }
     return text;
 }
 
@@ -51,6 +54,27 @@ void addExport(CLI::App& app, RunCommand& runCommand) {
         "--utia-encoding",
         [job](const std::string& name) { job->options.utiaEncoding = utiaEncodingFromName(name); },
         "of utia-bin and utia-exr: linear (the default) | srgb | srgb140");
+    command->add_option_function<std::string>(
+        "--texel", [job](const std::string& name) { job->texel = texelPlaceFromName(name); },
+        "X,Y from the top left, instead of the mean over all texels");
+    command
+        ->add_option("--tolerance", job->options.tolerance,
+                     "of rgl and radiance: mean Delta E between turns of the sample up to which "
+                     "it is isotropic")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_flag("--spectra", job->options.spectra,
+                      "of rgl: smooth spectra beside RGB, as Mitsuba and pbrt ask for");
+    command
+        ->add_option("--cull", job->options.cull,
+                     "of radiance: percent of a tree's leaves that are merged")
+        ->check(CLI::Range(0, 100))
+        ->capture_default_str();
+    command
+        ->add_option("--resolution", job->options.resolution,
+                     "of rgl: samples a side for each direction (else 128, 64 of a grid, 32 where "
+                     "anisotropic)")
+        ->check(CLI::Range(8, 512));
     addGrazingOption(*command, job->grazing);
     command->callback([job, &runCommand] {
         runCommand = [job](const SharedOptions& shared, const ProgressSink& progress) {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 // A new format is one file in this folder and one line in each of these two lists.
 using WriteFormat = ExportReport(const fs::path& path, const ExportSource& source,
                                  const ExportOptions& options);
-WriteFormat writeUtiaBin, writeUtiaExr, writeMerl;
+WriteFormat writeUtiaBin, writeUtiaExr, writeMerl, writeRgl, writeRadiance, writeAstm;
 
 namespace {
 
@@ -22,6 +22,9 @@ constexpr std::array kFormats{
     ExportFormat{"utia-bin", "UTIA BRDF: 288 x 288 doubles, three planes", writeUtiaBin},
     ExportFormat{"utia-exr", "UTIA BRDF: a 288 x 288 float OpenEXR image", writeUtiaExr},
     ExportFormat{"merl", "MERL .binary: the isotropic average", writeMerl},
+    ExportFormat{"rgl", "RGL .bsdf tensor file", writeRgl},
+    ExportFormat{"radiance", "Radiance BSDF: XML of tensor trees", writeRadiance},
+    ExportFormat{"astm", "ASTM E1392 text: angles and BRDF, a row a pair", writeAstm},
 };
 
 }  // namespace

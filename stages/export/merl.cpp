@@ -5,6 +5,7 @@
 #include "abrdf/merl_table.h"
 #include "abrdf/output_file.h"
 #include "stages/export/export_brdf.h"
+#include "stages/export/turned_pair.h"
 
 #include <array>
 #include <cmath>
@@ -24,11 +25,6 @@ struct Entry {
     double variance = 0;  ///< Of that, what the mean leaves out.
 };
 
-LightAndView turned(const LightAndView& pair, Radians angle) {
-    return {{pair.light.theta, wrappedAzimuth(pair.light.phi + angle)},
-            {pair.view.theta, wrappedAzimuth(pair.view.phi + angle)}};
-}
-
 /// The average over turns of the sample and both ways of the light.
 Entry entryAt(std::size_t index, const ExportSource& source, int azimuths) {
     const HalfAngles angles = merl::anglesOfEntry(index);
@@ -41,7 +37,7 @@ Entry entryAt(std::size_t index, const ExportSource& source, int azimuths) {
     std::array<double, 3> squares{};
     double count = 0;
     for (int k = 0; k < azimuths; ++k) {
-        const LightAndView there = turned(pair, 2 * kPi * k / azimuths);
+        const LightAndView there = turnedPair(pair, 2 * kPi * k / azimuths);
         for (const LightAndView& way : {there, LightAndView{there.view, there.light}}) {
             const Rgb value = source.brdf.evaluate(way);
             if (!isFinite(value)) continue;

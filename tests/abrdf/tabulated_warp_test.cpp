@@ -38,4 +38,21 @@ TEST_CASE("the inverse warp is the integral of the density: columns first, then 
     CHECK(std::isfinite(empty.invert({0.5, 0.5}, kFirst).x));
 }
 
+TEST_CASE("warp and inverse undo each other, and the density is the image's share of the square") {
+    const TabulatedWarp warp(TableStack(3, 3, {0, 1, 2, 0.5, 4, 0, 3, 1, 2}));
+    for (const double x : {0.01, 0.3, 0.77, 1.0}) {
+        for (const double y : {0.0, 0.2, 0.6, 0.99}) {
+            const SquarePlace there = warp.warp({x, y}, 0);
+            const SquarePlace back = warp.invert(there, kFirst);
+            CHECK(back.x == doctest::Approx(x).epsilon(1e-5));
+            CHECK(back.y == doctest::Approx(y).epsilon(1e-5));
+        }
+    }
+    double sum = 0;
+    for (int i = 0; i < 400; ++i) {
+        sum += warp.density({(i % 20 + 0.5) / 20, (i / 20 + 0.5) / 20}, kFirst) / 400;
+    }
+    CHECK(sum == doctest::Approx(1).epsilon(1e-6));
+}
+
 TEST_SUITE_END();
