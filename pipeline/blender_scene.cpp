@@ -90,29 +90,41 @@ first = split(look_up("view_indices.exr", u, v))
 shares = split(look_up("view_shares.exr", u, v))
 fourth = split(look_up("view_fourth.exr", u, v))
 
-# The texel, from the top left.
-place = split(nodes.new("ShaderNodeTexCoord").outputs["UV"])
-column = math_node("FLOOR", math_node("MULTIPLY", math_node("FRACT", math_node("MULTIPLY", place[0], float(repeats))), float(wide)))
-down = math_node("SUBTRACT", float(repeats), math_node("MULTIPLY", place[1], float(repeats)))
-row = math_node("FLOOR", math_node("MULTIPLY", math_node("FRACT", down), float(high)))
-texel_v = math_node("SUBTRACT", 1.0, math_node("DIVIDE", math_node("ADD", row, 0.5), float(high)))
+# The texels around the place, from the top left, and their shares; the map repeats.
+def texels(place, count):
+    at = math_node("MULTIPLY_ADD", place, float(repeats * count), -0.5)
+    whole = math_node("FLOOR", at)
+    share = math_node("SUBTRACT", at, whole)
 
-total = None
-for index, share in zip([*first[:3], fourth[0]], [*shares[:3], fourth[1]]):
-    pixel = math_node("ADD", math_node("MULTIPLY_ADD", index, float(wide), column), 0.5)
-    color = look_up("spatial.exr", math_node("DIVIDE", pixel, float(wide * views)), texel_v)
-    term = nodes.new("ShaderNodeVectorMath")
-    term.operation = "SCALE"
-    put(term.inputs[0], color)
-    put(term.inputs["Scale"], share)
-    if total is None:
-        total = term.outputs[0]
-        continue
+    def wrapped(texel):
+        return math_node("WRAP", texel, float(count), 0.0)
+
+    if count == 1:
+        return [(0.0, 1.0)]
+    return [(wrapped(whole), math_node("SUBTRACT", 1.0, share)),
+            (wrapped(math_node("ADD", whole, 1.0)), share)]
+
+
+def vector_node(operation, *inputs):
     node = nodes.new("ShaderNodeVectorMath")
-    node.operation = "ADD"
-    put(node.inputs[0], total)
-    put(node.inputs[1], term.outputs[0])
-    total = node.outputs[0]
+    node.operation = operation
+    for socket, value in zip(node.inputs, inputs):
+        put(socket, value)
+    return node
+
+
+place = split(nodes.new("ShaderNodeTexCoord").outputs["UV"])
+total = None
+for column, column_share in texels(place[0], wide):
+    for row, row_share in texels(math_node("SUBTRACT", 1.0, place[1]), high):
+        texel_share = math_node("MULTIPLY", column_share, row_share)
+        v = math_node("SUBTRACT", 1.0, math_node("DIVIDE", math_node("ADD", row, 0.5), float(high)))
+        for view, share in zip([*first[:3], fourth[0]], [*shares[:3], fourth[1]]):
+            pixel = math_node("ADD", math_node("MULTIPLY_ADD", view, float(wide), column), 0.5)
+            u = math_node("DIVIDE", pixel, float(wide * views))
+            term = vector_node("SCALE", look_up("spatial.exr", u, v))
+            put(term.inputs["Scale"], math_node("MULTIPLY", share, texel_share))
+            total = term.outputs[0] if total is None else vector_node("ADD", total, term.outputs[0]).outputs[0]
 emission = nodes.new("ShaderNodeEmission")
 put(emission.inputs["Color"], total)
 put(nodes.new("ShaderNodeOutputMaterial").inputs["Surface"], emission.outputs[0])
