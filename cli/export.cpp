@@ -2,8 +2,12 @@
 #include "pipeline/export.h"
 
 #include "cli/command.h"
+#include "pipeline/scene_program.h"
 
 #include <fmt/format.h>
+
+#include <sstream>
+#include <stdexcept>
 
 namespace abrdf {
 
@@ -30,6 +34,26 @@ std::string summaryOf(const std::filesystem::path& file, const nlohmann::ordered
     return text;
 }
 
+int runScene(const ExportJob& job, SceneJob scene, const std::string& light,
+             const SharedOptions& shared, const ProgressSink& progress) {
+    scene.material = job;
+    if (!light.empty()) {
+        char comma = 0;
+        std::istringstream stream(light);
+        if (!(stream >> scene.lightAzimuth >> comma >> scene.lightElevation) || comma != ',') {
+            throw std::invalid_argument("write --light AZIMUTH,ELEVATION in degrees");
+        }
+    }
+    const auto report = exportScene(scene, progress);
+    std::string text = fmt::format("{}: render it there with: {}\n", job.output.string(),
+                                   report["run"].get<std::string>());
+    if (report.contains("preview")) {
+        text += fmt::format("the same light: {}\n", report["preview"].get<std::string>());
+    }
+    deliver(report, shared.quiet ? "" : text, shared);
+    return 0;
+}
+
 std::string formatNames() {
     std::string names;
     for (const ExportFormat& format : exportFormats()) {
@@ -45,8 +69,19 @@ void addExport(CLI::App& app, RunCommand& runCommand) {
     command->footer("Example: abrdf export corduroy.exr --to utia-bin -o corduroy.bin");
     auto job = std::make_shared<ExportJob>();
     command->add_option("ATLAS", job->input.input, "an atlas, or any database")->required();
-    command->add_option("--to", job->format, formatNames())->required();
-    command->add_option("-o,--output", job->output, "the file; FILE.json beside it says what it is")
+    auto* to = command->add_option("--to", job->format, formatNames());
+    auto scene = std::make_shared<SceneJob>();
+    auto light = std::make_shared<std::string>();
+    command
+        ->add_option("--scene", scene->program,
+                     fmt::format("instead of --to, a folder that a renderer takes as it stands: {}",
+                                 fmt::join(scenePrograms(), " | ")))
+        ->excludes(to);
+    command->add_option("--light", *light, "of a scene: AZIMUTH,ELEVATION (-35,45)")
+        ->needs("--scene");
+    command
+        ->add_option("-o,--output", job->output,
+                     "the file, FILE.json beside it says what it is; or the scene's folder")
         ->required();
     command->add_option("--colorconfig", job->input.colorConfig,
                         "OpenColorIO config (else $OCIO, else the shipped one)");
@@ -76,8 +111,13 @@ void addExport(CLI::App& app, RunCommand& runCommand) {
                      "anisotropic)")
         ->check(CLI::Range(8, 512));
     addGrazingOption(*command, job->grazing);
-    command->callback([job, &runCommand] {
-        runCommand = [job](const SharedOptions& shared, const ProgressSink& progress) {
+    command->callback([job, scene, light, &runCommand] {
+        if (job->format.empty() == scene->program.empty()) {
+            throw CLI::RequiredError("--to FORMAT or --scene PROGRAM");
+        }
+        runCommand = [job, scene, light](const SharedOptions& shared,
+                                         const ProgressSink& progress) {
+            if (!scene->program.empty()) return runScene(*job, *scene, *light, shared, progress);
             const auto report = exportBrdf(*job, progress);
             deliver(report, shared.quiet ? "" : summaryOf(job->output, report), shared);
             return 0;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "color/delta_e.h"
+#include "tests/support/rgl_samples.h"
+#include "tests/support/run_program.h"
+#include "tests/support/synthetic_atlas.h"
+#include "tests/support/synthetic_btf.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/tensor_tree_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+
+using namespace abrdf;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A map of 2 x 2 texels of different colours, glossy, brighter for viewers on the right.
+fs::path glossyMap(const fs::path& folder) {
+    const auto value = [](const LightAndView& p, int x, int y) {
+        const Rgb c = lambertianWithGloss(
+            p, {0.2F + 0.3F * static_cast<float>(x), 0.3F, 0.1F + 0.4F * static_cast<float>(y)},
+            0.3, 0.3);
+        const double side = 1 + 0.3 * std::sin(p.view.theta) * std::cos(p.view.phi);
+        return static_cast<float>(side) * c;
+    };
+    writeAtlas(folder / "map.exr", syntheticAtlas(AngularGrid(ubo81Directions()), 2, 2, value));
+    return folder / "map.exr";
+}
+
+/// R, G, B, A of part 0.
+std::vector<float> rgbaOf(const fs::path& file, int& width) {
+    const auto input = OIIO::ImageInput::open(file.string());
+    REQUIRE(input);
+    const OIIO::ImageSpec& spec = input->spec();
+    width = spec.width;
+    std::vector<float> all(static_cast<std::size_t>(spec.width) *
+                           static_cast<std::size_t>(spec.height) * 4);
+    REQUIRE(spec.nchannels >= 4);
+    REQUIRE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, all.data()));
+    return all;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("cli");
+
+TEST_CASE("export --scene makes a folder for each renderer, and says how it is rendered") {
+    const TemporaryFolder folder;
+    glossyMap(folder.path());
+    for (const std::string program : {"mitsuba", "pbrt", "radiance", "blender"}) {
+        CAPTURE(program);
+        const ProgramRun run = runProgram(
+            folder.path(), fmt::format("export map.exr --scene {0} --light 20,50 -o {0}", program));
+        CHECK(run.status == 0);
+        CHECK(run.out.find("render it there with") != std::string::npos);
+    }
+    const RglSamples mitsuba(folder.path() / "mitsuba/material.bsdf");
+    CHECK(mitsuba.fields().count("spectra") == 1);
+    const std::string xml = bytesOf(folder.path() / "mitsuba/scene.xml");
+    CHECK(xml.find("type=\"measured\"") != std::string::npos);
+    CHECK(xml.find("z=\"-0.766044\"") != std::string::npos);
+    CHECK(bytesOf(folder.path() / "pbrt/scene.pbrt").find("-0.604023 0.766044") !=
+          std::string::npos);
+    CHECK(TensorTreeFile(folder.path() / "radiance/material.xml").rank() == 4);
+    CHECK(bytesOf(folder.path() / "radiance/scene.rad").find("6 0 material.xml 0 0 1 .") !=
+          std::string::npos);
+    for (const char* file : {"spatial.exr", "view_indices.exr", "view_shares.exr", "scene.py"}) {
+        CHECK(fs::exists(folder.path() / "blender" / file));
+    }
+}
+
+TEST_CASE("a scene of an unknown renderer, or one beside a format, is refused") {
+    const TemporaryFolder folder;
+    glossyMap(folder.path());
+    CHECK(runProgram(folder.path(), "export map.exr --scene povray -o x").status == 2);
+    CHECK(runProgram(folder.path(), "export map.exr --scene pbrt --to rgl -o x").status == 2);
+    CHECK(runProgram(folder.path(), "export map.exr -o x").status == 2);
+    CHECK(runProgram(folder.path(), "export map.exr --to rgl --light 1,2 -o x").status == 2);
+    const ProgramRun texel = runProgram(folder.path(), "export map.exr --to rgl --texel 2,0 -o x");
+    CHECK(texel.status == 1);
+    CHECK(texel.err.find("2 x 2 texels") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder.path() / "x"));
+}
+
+TEST_CASE("Blender shows the atlas as the preview does") {
+    if (std::system("blender --version >/dev/null 2>&1") != 0) {
+        MESSAGE("skipped: blender is absent");
+        return;
+    }
+    const TemporaryFolder folder;
+    glossyMap(folder.path());
+    const ProgramRun run =
+        runProgram(folder.path(), "export map.exr --scene blender --light -30,45 -o scene --json");
+    REQUIRE(run.status == 0);
+    const auto report = nlohmann::json::parse(run.out);
+    const std::string blender =
+        fmt::format("cd '{}/scene' && {} >blender.log 2>&1", folder.path().string(),
+                    report["run"].get<std::string>());
+    REQUIRE(std::system(blender.c_str()) == 0);
+    const std::string preview = report["preview"];
+    REQUIRE(runProgram(folder.path(), preview.substr(preview.find(' ') + 1) + " --background 0")
+                .status == 0);
+    int width = 0;
+    int widthOfPreview = 0;
+    const std::vector<float> a = rgbaOf(folder.path() / "scene/picture.exr", width);
+    const std::vector<float> b = rgbaOf(folder.path() / "same.exr", widthOfPreview);
+    REQUIRE(width == widthOfPreview);
+    REQUIRE(a.size() == b.size());
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < a.size(); i += 4) {
+        if (a[i + 3] < 1) continue;  // Where the plane covers the pixel.
+        const Lab x = labFromLinearRec709({a[i], a[i + 1], a[i + 2]});
+        const Lab y = labFromLinearRec709({b[i], b[i + 1], b[i + 2]});
+        sum += deltaE76(x, y);
+        ++count;
+    }
+    CHECK(count > 50000);
+    MESSAGE("mean Delta E ", sum / count);
+    CHECK(sum / count < 2);
+}
+
+TEST_SUITE_END();
