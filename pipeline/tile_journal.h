@@ -38,7 +38,7 @@ class TileJournal {
     void remove();
 
   private:
-    bool readBack(const nlohmann::ordered_json& job);
+    bool readBack();
     void begin();
 
     std::filesystem::path output_;
