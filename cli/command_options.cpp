@@ -2,6 +2,7 @@
 #include "abrdf/output_file.h"
 #include "abrdf/printable.h"
 #include "cli/command.h"
+#include "pipeline/json_text.h"
 #include "pipeline/memory_plan.h"
 
 #include <fmt/format.h>
@@ -41,6 +42,7 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
     command
         .add_option("--max-image-pixels", options.limits.imagePixels,
                     "of one image of a database; larger ones are refused")
+        ->check(CLI::PositiveNumber)
         ->capture_default_str();
     command.add_option_function<std::string>(
         "--max-file-size",
@@ -134,7 +136,7 @@ PlaneChoice planeFrom(const PlaneOptions& options) {
 
 void deliver(const nlohmann::ordered_json& report, const std::string& text,
              const SharedOptions& shared) {
-    const std::string json = report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string json = jsonText(report, 2);
     if (!shared.report.empty()) writeWholeFile(shared.report, json + "\n");
     std::cout << (shared.json ? json + "\n" : text) << std::flush;
     if (!std::cout) throw std::runtime_error("standard output cannot be written");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/progress_display.h"
 
+#include "pipeline/json_text.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -63,7 +65,7 @@ class Display {
                                                  {"done", tick.done},   {"total", tick.total},
                                                  {"seconds", seconds},  {"rate", rate},
                                                  {"seconds_left", left}};
-            std::fputs((line.dump() + "\n").c_str(), stderr);
+            std::fputs((jsonText(line) + "\n").c_str(), stderr);
             return;
         }
         const std::string facts =

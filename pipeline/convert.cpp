@@ -5,6 +5,7 @@
 #include "pipeline/convert_job.h"
 #include "pipeline/estimate_report.h"
 #include "pipeline/rank_report.h"
+#include "pipeline/json_text.h"
 #include "pipeline/tile_journal.h"
 #include "pipeline/write_atlas.h"
 #include "pipeline/write_model.h"
@@ -334,7 +335,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
     const ordered_json identity =
         identityOf(asked, facts.hash, meanSamples(images, facts.means, job.samples()),
                    *reconstructor, job.grazing.inner().pairCount());
-    job.header.job = identity.dump();
+    job.header.job = jsonText(identity);
     const TexelMaker maker{
         TexelSlicer(images, job.samples()), *reconstructor, job.grazing,
         TexelFinisher(job.grid, {job.input.colors.transform("scene_linear", options.outputSpace),

@@ -3,6 +3,7 @@
 
 #include "abrdf/output_file.h"
 #include "abrdf/sampled_brdf.h"
+#include "pipeline/json_text.h"
 #include "pipeline/reconstruction.h"
 #include "stages/slice/slice_texels.h"
 
@@ -144,7 +145,7 @@ ordered_json exportBrdf(const ExportJob& job, const ProgressSink& progress) {
     report["extrapolated"] = {
         {"values", written.extrapolated}, {"of", written.values}, {"grazing", nameOf(job.grazing)}};
     for (const auto& [key, value] : written.details.items()) report[key] = value;
-    writeWholeFile(job.output.string() + ".json", report.dump(2) + "\n");
+    writeWholeFile(job.output.string() + ".json", jsonText(report, 2) + "\n");
     return report;
 }
 

@@ -4,6 +4,7 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "abrdf/pair_features.h"
+#include "pipeline/json_text.h"
 #include "pipeline/stress_trial.h"
 #include "stages/measure/gnuplot.h"
 #include "stages/measure/stress_figure.h"
@@ -257,7 +258,7 @@ ordered_json stress(const StressOptions& options, const ProgressSink& progress,
         runGnuplot(stressFigureScript(figure, true), fs::path(base) += ".png");
         for (ordered_json& result : results) report["results"].push_back(std::move(result));
     }
-    writeWholeFile(options.output / "stress.json", report.dump(2) + "\n");
+    writeWholeFile(options.output / "stress.json", jsonText(report, 2) + "\n");
     return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include "abrdf/content_hash.h"
 #include "abrdf/output_file.h"
+#include "pipeline/json_text.h"
 
 #include <fmt/format.h>
 
@@ -106,18 +107,22 @@ std::string differences(const ordered_json& was, const ordered_json& is) {
 
 TileJournal::TileJournal(const fs::path& output, const ordered_json& job, PixelType type,
                          bool resume)
-    : output_(output), path_(journalBeside(output)), lock_(path_), job_(job), type_(type) {
+    : output_(output),
+      path_(journalBeside(output)),
+      lock_(path_),
+      job_(ordered_json::parse(jsonText(job))),
+      type_(type) {
     if (!lock_.isHeld()) {
         throw std::runtime_error(fmt::format(
             "{}: another abrdf is writing it; wait for that one or choose another output",
             output.string()));
     }
-    if (!resume || !readBack(job)) begin();
+    if (!resume || !readBack()) begin();
     stream_.open(path_, std::ios::binary | std::ios::app);
 }
 
 /// False where there is nothing to continue.
-bool TileJournal::readBack(const ordered_json& job) {
+bool TileJournal::readBack() {
     std::ifstream journal(path_, std::ios::binary);
     std::string line;
     if (!std::getline(journal, line)) return false;
@@ -125,7 +130,7 @@ bool TileJournal::readBack(const ordered_json& job) {
     if (!head.is_object() || !head.contains("job") || !head.contains("pixel")) {
         return false;
     }
-    const std::string changed = differences(head["job"], job);
+    const std::string changed = differences(head["job"], job_);
     if (!changed.empty()) {
         throw std::runtime_error(fmt::format(
             "{}: cannot be resumed, as its unfinished part is of another job: {}; give that job "
@@ -161,7 +166,7 @@ void TileJournal::begin() {
     counts_ = {};
     estimates_ = {};
     std::ofstream stream(path_, std::ios::binary | std::ios::trunc);
-    stream << ordered_json{{"job", job_}, {"pixel", nameOf(type_)}}.dump() << "\n";
+    stream << jsonText({{"job", job_}, {"pixel", nameOf(type_)}}) << "\n";
     if (!stream.flush()) {
         const int error = errno;
         remove();  // It tells of nothing yet.

@@ -44,7 +44,7 @@ class TileJournal {
     static void removeFinished(const std::filesystem::path& output);
 
   private:
-    bool readBack(const nlohmann::ordered_json& job);
+    bool readBack();
     void begin();
     [[noreturn]] void fail(int error) const;
 

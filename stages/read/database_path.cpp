@@ -2,6 +2,7 @@
 #include "stages/read/database_path.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <cstring>
@@ -38,7 +39,10 @@ DatabasePath::DatabasePath(fs::path where, ReadOptions readOptions)
 }
 
 std::string DatabasePath::name() const {
-    return fs::weakly_canonical(path).filename().string();
+    const std::string name = fs::weakly_canonical(path).filename().string();
+    // Headers and reports are UTF-8, which a name on disk need not be.
+    using nlohmann::json;
+    return json::parse(json(name).dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 }  // namespace abrdf

@@ -22,7 +22,7 @@ struct DatabasePath {
     std::string head;                         ///< The first 4096 bytes of another file.
     std::uint64_t size = 0;                   ///< Of that file, bytes.
 
-    /// The file's or folder's own name.
+    /// The file's or folder's own name; U+FFFD for bytes that are no UTF-8.
     std::string name() const;
 };
 

@@ -57,7 +57,10 @@ std::set<std::string> imageExtensions() {
     return extensions;
 }
 
-std::runtime_error badImage(const std::string& name, const std::string& why) {
+std::runtime_error badImage(const std::string& name, std::string why) {
+    for (std::size_t at = why.find('\n'); at != std::string::npos; at = why.find('\n', at)) {
+        why.replace(at, 1, "; ");
+    }
     return std::runtime_error(fmt::format("{}: is not a whole image: {}", name, why));
 }
 

@@ -108,6 +108,8 @@ void readAttribute(ByteCursor& file, const std::string& name, Part& part) {
         part.channels = channelsIn(content);
     } else if (type == "stringvector") {
         checkTexts(content);
+    } else if (type == "floatvector" && size % 4 != 0) {
+        file.fail(fmt::format("its floatvector {} has {} bytes", name, size));
     } else if (type == "idmanifest" && size < 8) {
         file.fail("its manifest of ids has no size");
     } else if (type == "compression") {

@@ -3,11 +3,13 @@
 
 #include "abrdf/content_hash.h"
 #include "abrdf/output_file.h"
+#include "abrdf/pair_features.h"
 
 #include <fmt/format.h>
 
 #include <bit>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -76,6 +78,7 @@ class Reader {
         for (LightAndView& p : pairs) {
             for (double* angle : {&p.light.theta, &p.light.phi, &p.view.theta, &p.view.phi}) {
                 *angle = take<double>();
+                if (!(std::abs(*angle) < 100)) fail();  // Radians.
             }
         }
         return pairs;
@@ -119,16 +122,16 @@ void addClass(const PriorClass& c, Bytes& bytes) {
     }
 }
 
-PriorClass takeClass(Reader& reader, Eigen::Index samples, Eigen::Index outputs) {
+/// rows: of class iso, and of the others.
+PriorClass takeClass(Reader& reader, Eigen::Index samples, Eigen::Index isoRows,
+                     Eigen::Index otherRows) {
     PriorClass c;
     const auto materialClass = reader.take<std::uint32_t>();
     const auto spectra = reader.take<std::uint32_t>();
     const auto rows = reader.take<std::int64_t>();
-    if (materialClass >= kMaterialClasses.size() || spectra < 1 || spectra > 1000 || rows < 1 ||
-        rows > outputs) {
-        reader.fail();
-    }
+    if (materialClass >= kMaterialClasses.size() || spectra < 1 || spectra > 1000) reader.fail();
     c.materialClass = kMaterialClasses[materialClass];
+    if (rows != (c.materialClass == MaterialClass::kIso ? isoRows : otherRows)) reader.fail();
     reader.takeArray(c.sampleMean, samples, 1);
     reader.takeArray(c.outputMean, rows, 1);
     reader.takeArray(c.cross, rows, samples);
@@ -203,8 +206,10 @@ PriorModel readModel(const std::filesystem::path& path) {
     const auto classes = reader.take<std::uint32_t>();
     if (model.samples.empty() || model.outputs.empty() || classes < 1 || classes > 64)
         reader.fail();
+    const auto isoRows = static_cast<Eigen::Index>(isotropicPairs(model.outputs).distinct.size());
     for (std::uint32_t i = 0; i < classes; ++i) {
         model.classes.push_back(takeClass(reader, static_cast<Eigen::Index>(model.samples.size()),
+                                          isoRows,
                                           static_cast<Eigen::Index>(model.outputs.size())));
     }
     if (!reader.atEnd()) reader.fail();

@@ -6,10 +6,10 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 
 namespace abrdf {
 
@@ -31,6 +31,14 @@ std::set<std::string> filesIn(const fs::path& folder) {
     return names;
 }
 
+/// Lines, but for those that libpng prints by itself.
+std::ptrdiff_t sentences(const std::string& text) {
+    std::istringstream stream(text);
+    std::ptrdiff_t count = 0;
+    for (std::string line; std::getline(stream, line);) count += line.starts_with("libpng") ? 0 : 1;
+    return count;
+}
+
 }  // namespace
 
 void checkBadInputs(const std::vector<BadInput>& inputs) {
@@ -46,7 +54,7 @@ void checkBadInputs(const std::vector<BadInput>& inputs) {
         CAPTURE(run.err);
         CHECK(run.status == input.status);
         CHECK(std::regex_search(run.out + run.err, std::regex(input.says)));
-        if (run.status != 0) CHECK(std::ranges::count(run.err, '\n') <= 1);
+        if (run.status != 0) CHECK(sentences(run.err) <= 1);
         std::set<std::string> after = filesIn(outside.path());
         if (run.status == 0) after.erase("in/out.exr");
         CHECK(after == before);

@@ -39,9 +39,9 @@ void putFacts(ByteWriter& out, const ZipMember& member, const std::string& packe
         member.method != 0 ? member.method : static_cast<std::uint16_t>(member.deflate ? 8 : 0);
     out.put(std::uint16_t{20}).put(member.flags).put(method);
     out.put(std::uint16_t{0}).put(std::uint16_t{0x21});  // Midnight of 1 January 1980.
-    out.put(member.claimedCrc.value_or(static_cast<std::uint32_t>(
-        crc32(0, reinterpret_cast<const Bytef*>(member.bytes.data()),
-              static_cast<uInt>(member.bytes.size())))));
+    out.put(member.claimedCrc.value_or(
+        static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(member.bytes.data()),
+                                         static_cast<uInt>(member.bytes.size())))));
     out.put(size32(packed.size()));
     out.put(member.claimedSize.value_or(size32(member.bytes.size())));
     out.put(size16(member.name.size())).put(std::uint16_t{0});
