@@ -94,11 +94,12 @@ TEST_CASE("every option of --help is in the manual and in each shell's completio
     const std::string fish = outputOf("describe fish");
     const std::set<std::string> shared = optionsOf("");
     const std::regex dash("-");
-    for (const auto& [command, options] : optionsByCommand()) {
+    for (const auto& entry : optionsByCommand()) {
+        const std::string& command = entry.first;
         const std::string manPart = part(man, ".SH ABRDF " + command + "\n", ".SH ");
         const std::string zshPart = part(zsh, "\n    " + command + ")\n", ";;");
         const std::string bash = completedByBash("abrdf " + command + " -");
-        for (const std::string& option : options) {
+        for (const std::string& option : entry.second) {
             CAPTURE(command);
             CAPTURE(option);
             CHECK(contains(manPart, "\\fB" + std::regex_replace(option, dash, "\\-") + "\\fR"));
