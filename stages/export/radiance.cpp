@@ -173,6 +173,12 @@ ExportReport writeRadiance(const std::filesystem::path& path, const ExportSource
             colors[i] = cellValue(cells, i, brdf, isotropic ? options.azimuths : 1);
         }
     });
+    if (!std::ranges::all_of(colors, isFinite)) {
+        throw std::runtime_error(fmt::format(
+            "{}: the material has values past what the format's floats hold; look for the texels "
+            "at fault with abrdf inspect, or scale them",
+            path.string()));
+    }
     const Planes planes = planesOf(colors);
     double mean = 0;
     for (const float y : planes.luminance) mean += static_cast<double>(y);

@@ -10,9 +10,12 @@
 #include "stages/export/smooth_spectra.h"
 #include "stages/export/tensor_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace abrdf {
 
@@ -158,6 +161,14 @@ std::array<double, 3> albedoOf(const Samples& samples, std::size_t begin, std::s
     return sum;
 }
 
+void checkRange(const Samples& samples, const std::filesystem::path& path) {
+    if (std::ranges::all_of(samples.values, isFinite)) return;
+    throw std::runtime_error(fmt::format(
+        "{}: the material has values past what the format's floats hold; look for the texels at "
+        "fault with abrdf inspect, or scale them",
+        path.string()));
+}
+
 /// A reflectance that rounding and interpolation alone bring above 1 is brought back; one that is
 /// above it in the source stays. Returns the largest, as written.
 double keepEnergy(const Shape& shape, Samples& samples) {
@@ -301,6 +312,7 @@ ExportReport writeRgl(const std::filesystem::path& path, const ExportSource& sou
     const TurnedBrdf brdf(source, isOneTurn ? 1 : options.azimuths);
     const Frame frame = frameOf(source, options, isotropic, brdf);
     Samples samples = samplesOf(frame.shape, frame.data, source, brdf);
+    checkRange(samples, path);
     const double reflectance = keepEnergy(frame.shape, samples);
     fileOf(frame, samples, source.name, options.spectra).write(path);
     ExportReport report;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/texel_model.h"
 
+#include "abrdf/angular_grid.h"
 #include "abrdf/packed_codes.h"
 #include "abrdf/random.h"
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -58,7 +60,8 @@ TexelCodes randomCodes(const TexelRule& rule) {
     Random random(9);
     TexelCodes codes;
     codes.stride = kColumns;
-    for (const std::uint16_t rank : {7, 0, 2, 5, 7, 3, 2}) {
+    constexpr std::array<std::uint16_t, 7> kRanks = {7, 0, 2, 5, 7, 3, 2};
+    for (const std::uint16_t rank : kRanks) {
         codes.ranks.push_back(rank);
         codes.scales.push_back({0.4F, {0.5F, 0.3F, 0.2F}, {1.1F, 0.9F}});
         const auto add = [&](std::vector<float>& vectors) {

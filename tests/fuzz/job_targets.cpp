@@ -121,7 +121,8 @@ rank = 0x1F
 
 std::vector<std::string> planSeeds() {
     const SamplePlan plan{"small", {{{0.2, 1}, {0.5, 2}}, {{0, 0}, {1.2, 6}}}, {}};
-    return {std::string(1, '\0') + planText(plan, {{3.5, 2}, {"a comment"}}),
+    return {std::string(1, '\0') +
+                planText(plan, {.expectedError = {3.5, 2}, .sweep = {}, .comments = {"a comment"}}),
             "\1theta_i,phi_i,theta_v,phi_v\n0,0,15,-30\n# a\n75 1e1 8 9",
             "\2theta_deg,phi_deg\n0,0\n 45.5, 300\n"};
 }

@@ -137,8 +137,11 @@ void write(const Subject& subject, const fs::path& output, bool resume = false,
         subject.grazing,
         TexelFinisher(subject.header.grid, {colors.transform("scene_linear", "scene_linear")}),
         subject.header.grid.pairCount()};
-    const AtlasRun run{*subject.table, maker, subject.header.layout, subject.memory,
-                       journal.type(), false, output.parent_path()};
+    const auto make = [&](std::span<const Rgb> band, std::size_t inBand, std::size_t,
+                          std::size_t count,
+                          TexelMaker::Buffers& texels) { maker.make(band, inBand, count, texels); };
+    const AtlasRun run{*subject.table, make,           maker.pairs, subject.header.layout,
+                       subject.memory, journal.type(), false,       output.parent_path()};
     const auto told = [&](const TilesAdded& added) {
         journal.add(added);
         if (added.written.tiles >= stopAt) throw Stop();

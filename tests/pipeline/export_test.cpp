@@ -3,6 +3,7 @@
 
 #include "pipeline/convert.h"
 #include "stages/read/atlas_reader.h"
+#include "stages/read/btf_reader.h"
 #include "tests/support/small_files.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -49,8 +50,9 @@ nlohmann::ordered_json converted(const fs::path& input, const fs::path& output,
 }
 
 nlohmann::ordered_json exported(const fs::path& input, const std::string& format,
-                                const fs::path& output) {
+                                const fs::path& output, std::optional<TexelPlace> texel = {}) {
     ExportJob job;
+    job.texel = texel;
     job.input.input = input;
     job.format = format;
     job.output = output;
@@ -124,6 +126,63 @@ TEST_CASE("the JSON beside the file is the report, and counts what lies past 75 
         CHECK(c.r == doctest::Approx(material(grid.pair(i))).epsilon(0.02));
         CHECK(c.g == doctest::Approx(c.r / 2).epsilon(1e-5));
     }
+}
+
+TEST_CASE("one texel of a map is exported instead of the mean, from a stack and from an atlas") {
+    const TemporaryFolder folder;
+    writeStack(folder.path() / "btf");
+    converted(folder.path() / "btf", folder.path() / "map.exr", "input", AtlasKind::kSpatial,
+              "full");
+    const fs::path file = folder.path() / "m.bin";
+    for (const char* input : {"btf", "map.exr"}) {
+        const auto report = exported(folder.path() / input, "utia-bin", file, TexelPlace{2, 1});
+        CHECK(report["texel"] == nlohmann::ordered_json({2, 1}));
+        CHECK_FALSE(report.contains("texels_averaged"));
+        const auto reader = openBtf(file);
+        const LightAndView pair = {{0, 0}, {radiansFromDegrees(30), 0}};
+        // 0.75 + 0.25 x times 0.5 + y.
+        CHECK(reader->table()->evaluate(pair).r ==
+              doctest::Approx(1.25 * 1.5 * material(pair)).epsilon(1e-3));
+        CHECK_THROWS_AS(exported(folder.path() / input, "utia-bin", file, TexelPlace{2, 2}),
+                        std::runtime_error);
+    }
+    CHECK(texelPlaceFromName("12,40").y == 40);
+    for (const char* name : {"", "3", "1,", "-1,2", "1,2,3", "a,b", "1;2"}) {
+        CHECK_THROWS_AS(texelPlaceFromName(name), std::invalid_argument);
+    }
+}
+
+TEST_CASE("an atlas without enough directions is refused, with what to do") {
+    const TemporaryFolder folder;
+    writeStack(folder.path() / "btf");
+    std::ofstream(folder.path() / "few.csv") << "0,0\n30,0\n30,120\n30,240\n";
+    converted(folder.path() / "btf", folder.path() / "few.exr",
+              (folder.path() / "few.csv").string(), AtlasKind::kAngular, "1x1");
+    try {
+        exported(folder.path() / "few.exr", "rgl", folder.path() / "x.bsdf");
+        FAIL("it passed");
+    } catch (const std::runtime_error& error) {
+        CHECK(std::string(error.what()).find("4 lights by 4 views are too few") !=
+              std::string::npos);
+    }
+    CHECK_FALSE(fs::exists(folder.path() / "x.bsdf"));
+}
+
+TEST_CASE("an ubo81 atlas comes back from an RGL file within 1 %") {
+    const TemporaryFolder folder;
+    writeStack(folder.path() / "btf");
+    converted(folder.path() / "btf", folder.path() / "a.exr", "input", AtlasKind::kAngular, "1x1");
+    exported(folder.path() / "a.exr", "rgl", folder.path() / "a.bsdf");
+    const auto reader = openBtf(folder.path() / "a.bsdf");
+    const AngularGrid grid(ubo81Directions());
+    double difference = 0;
+    double sum = 0;
+    for (const LightAndView& pair : pairsOf(grid)) {
+        const auto c = reader->table()->evaluate(pair);
+        difference += std::abs(static_cast<double>(c.r) - material(pair));
+        sum += material(pair);
+    }
+    CHECK(difference / sum < 0.01);
 }
 
 TEST_CASE("an export onto its own input, or into nothing, is refused") {

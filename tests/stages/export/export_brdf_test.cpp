@@ -12,6 +12,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <sstream>
 #include <stdexcept>
 
 using namespace abrdf;
@@ -133,18 +135,59 @@ TEST_CASE("a MERL file holds the mean over the azimuth, and its report says what
           doctest::Approx(Isotropic().evaluate(pair).g).epsilon(1e-5));
 }
 
+TEST_CASE("an ASTM file is a row a pair, angles in radians and the BRDF") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "m.txt";
+    const ExportReport report = write("astm", path, Isotropic());
+    CHECK(report.details["isotropic"] == true);
+    std::istringstream text(bytesOf(path));
+    std::string line;
+    std::getline(text, line);
+    CHECK(line == "NUM_POINTS 20808");
+    std::getline(text, line);
+    CHECK(line == "VARS theta_i,phi_i,theta_s,phi_s,R,G,B");
+    int rows = 0;
+    while (std::getline(text, line)) {
+        LightAndView pair;
+        Rgb c;
+        REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%f,%f,%f", &pair.light.theta,
+                            &pair.light.phi, &pair.view.theta, &pair.view.phi, &c.r, &c.g,
+                            &c.b) == 7);
+        if (pair.light.theta < kMax && pair.view.theta < kMax) {
+            const auto f = static_cast<double>(Isotropic().evaluate(pair).g) /
+                           (kPi * std::cos(pair.light.theta));
+            CHECK(static_cast<double>(c.g) == doctest::Approx(f).epsilon(1e-4));
+        }
+        ++rows;
+    }
+    CHECK(rows == 20808);
+    CHECK(write("astm", path, Anisotropic()).values == 6 * 24 * 17 * 24);
+}
+
+TEST_CASE("what is past the range of a format's floats is refused, and leaves no file") {
+    struct Huge : BrdfTable {
+        Rgb evaluate(const LightAndView&) const override { return {3e38F, 3e38F, 3e38F}; }
+    };
+    const TemporaryFolder folder;
+    for (const char* format : {"rgl", "radiance"}) {
+        CHECK_THROWS_AS(write(format, folder.path() / "x", Huge()), std::runtime_error);
+        CHECK(fs::is_empty(folder.path()));
+    }
+}
+
 TEST_CASE("a format that is not there is refused with the list of those that are") {
     try {
         exportFormatFromName("png");
         FAIL("it passed");
     } catch (const std::invalid_argument& error) {
-        CHECK(std::string(error.what()).find("utia-bin utia-exr merl") != std::string::npos);
+        CHECK(std::string(error.what()).find("utia-bin utia-exr merl rgl radiance astm") !=
+              std::string::npos);
     }
 }
 
 TEST_CASE("an export that finds the disk full leaves the old file as it was") {
     const TemporaryFolder folder;
-    for (const char* format : {"utia-bin", "utia-exr"}) {
+    for (const char* format : {"utia-bin", "utia-exr", "rgl", "radiance", "astm"}) {
         const fs::path path = folder.path() / "old";
         writeFile(path, "old");
         bool failed = false;
