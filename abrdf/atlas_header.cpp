@@ -77,14 +77,13 @@ void readOptional(const Imf::Header& header, AtlasHeader& atlas) {
 void checkSize(const Imf::Header& header, const AtlasLayout& layout, const std::string& file) {
     const Imath::Box2i& window = header.dataWindow();
     const bool isModel = layout.kind == AtlasKind::kModel;
-    const bool fits =
-        layout.texelsWide > 0 && layout.texelsHigh > 0 && layout.texelsWide < (1 << 20) &&
-        layout.texelsHigh < (1 << 20) &&
-        std::int64_t{layout.texelsWide} * (isModel ? 1 : layout.views) ==
-            std::int64_t{window.max.x} + 1 &&
-        std::int64_t{layout.texelsHigh} * (isModel ? 1 : layout.lights) ==
-            std::int64_t{window.max.y} + 1 &&
-        window.min == Imath::V2i(0, 0);
+    const bool fits = layout.texelsWide > 0 && layout.texelsHigh > 0 &&
+                      layout.texelsWide < (1 << 20) && layout.texelsHigh < (1 << 20) &&
+                      std::int64_t{layout.texelsWide} * (isModel ? 1 : layout.views) ==
+                          std::int64_t{window.max.x} + 1 &&
+                      std::int64_t{layout.texelsHigh} * (isModel ? 1 : layout.lights) ==
+                          std::int64_t{window.max.y} + 1 &&
+                      window.min == Imath::V2i(0, 0);
     if (!fits) {
         throw std::runtime_error(fmt::format(
             "{}: has a damaged header: {} x {} texels of {} lights and {} views are not its image "

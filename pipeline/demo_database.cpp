@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder for the unfinished `target`, beside it; gone, with all in it, when this object is. It has
-/// one name for all processes, so that the next one takes away what a killed one left; a lock in it
-/// keeps a second process away.
+/// A folder for the unfinished `target`, beside it; gone, with all in it, when this object is. It
+/// has one name for all processes, so that the next one takes away what a killed one left; a lock
+/// in it keeps a second process away.
 class StagingFolder {
   public:
     explicit StagingFolder(const fs::path& target)

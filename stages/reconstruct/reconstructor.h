@@ -70,8 +70,7 @@ class Reconstructor {
 
     /// Texels as numbers of model(), which makes of them what reconstruct() does. deltaE: as
     /// reconstructKnowing(), or empty.
-    virtual TexelCodes encode(std::span<const Rgb> /*samples*/,
-                              std::span<float> /*deltaE*/) const {
+    virtual TexelCodes encode(std::span<const Rgb> /*samples*/, std::span<float> /*deltaE*/) const {
         return {};
     }
 

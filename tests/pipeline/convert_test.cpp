@@ -222,4 +222,26 @@ TEST_CASE("the atlas has the same bytes on 1, 2 and 7 threads, and twice in a ro
     }
 }
 
+TEST_CASE("an atlas wider than 32,768 pixels is written and read") {
+    const TemporaryFolder folder;
+    SyntheticBtf btf = cloth(1400, 1, "png");
+    btf.grid = gridFromName("regular:4x6");
+    btf.value = [](const LightAndView& p, int x, int) {
+        const double c = 0.1 + 0.8 * x / 1400 * std::cos(p.light.theta);
+        return Rgb{static_cast<float>(c), static_cast<float>(c / 2), 0.1F};
+    };
+    writeSyntheticBtf(folder.path() / "btf", btf);
+    ConvertOptions options = jobOn(folder.path() / "btf", folder.path() / "wide.exr");
+    options.method.name = "measured";
+    options.texels = {0, 0};
+    convert(options, {});
+    const Atlas atlas = readAtlas(options.output);
+    CHECK(atlas.header().layout.width() == 1400 * 24);
+    for (const int x : {0, 700, 1399}) {
+        const Rgb value = atlas.at({x, 0, 13, 20});
+        const LightAndView pair = btf.grid.pair(btf.grid.pairIndex(13, 20));
+        CHECK(value.r == doctest::Approx(btf.value(pair, x, 0).r).epsilon(0.02));
+    }
+}
+
 TEST_SUITE_END();
