@@ -153,13 +153,11 @@ std::vector<Direction> directionsFromCsv(const std::filesystem::path& file) {
         double phi = 0;
         std::string rest;
         const bool isRow = (row >> theta >> phi) && !(row >> rest);
-        if (!isRow && directions.empty() && std::isalpha(static_cast<unsigned char>(line[first]))) {
-            continue;  // The header line.
-        }
+        if (!isRow && directions.empty() && isLineOfNames(line)) continue;
         if (!isRow || !(theta >= 0 && theta < 90) || !std::isfinite(phi)) {
             throw std::runtime_error(fmt::format(
                 "{}:{}: '{}' is not a row theta_deg,phi_deg with theta from 0 to below 90",
-                file.string(), number, line));
+                file.string(), number, shownLine(line)));
         }
         directions.push_back({radiansFromDegrees(theta), wrappedAzimuth(radiansFromDegrees(phi))});
     }

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -36,6 +38,21 @@ std::string textOfFile(const std::filesystem::path& file) {
     }
     if (stream.bad()) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
     return text;
+}
+
+std::string shownLine(const std::string& line) {
+    constexpr std::size_t kMost = 80;
+    return line.size() <= kMost ? line : line.substr(0, kMost) + " ...";
+}
+
+bool isLineOfNames(const std::string& line) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || std::isalpha(static_cast<unsigned char>(line[first])) == 0) {
+        return false;
+    }
+    char* end = nullptr;
+    std::strtod(line.c_str() + first, &end);
+    return end == line.c_str() + first;
 }
 
 }  // namespace abrdf

@@ -11,4 +11,10 @@ namespace abrdf {
 /// Throws std::runtime_error that names the file.
 std::string textOfFile(const std::filesystem::path& file);
 
+/// A line for a message: at most its first 80 bytes.
+std::string shownLine(const std::string& line);
+
+/// True for a table's line of names: its first word begins with a letter and is no number ("nan").
+bool isLineOfNames(const std::string& line);
+
 }  // namespace abrdf

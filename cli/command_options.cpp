@@ -42,7 +42,7 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
     command
         .add_option("--max-image-pixels", options.limits.imagePixels,
                     "of one image of a database; larger ones are refused")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
         ->capture_default_str();
     command.add_option_function<std::string>(
         "--max-file-size",

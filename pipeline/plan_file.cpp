@@ -81,13 +81,12 @@ SamplePlan planFromCsv(const fs::path& file) {
         std::string rest;
         const bool isRow =
             (row >> degrees[0] >> degrees[1] >> degrees[2] >> degrees[3]) && !(row >> rest);
-        const bool isHeader =
-            plan.samples.empty() && std::isalpha(static_cast<unsigned char>(line[first])) != 0;
-        if (!isRow && isHeader) continue;
+        if (!isRow && plan.samples.empty() && isLineOfNames(line)) continue;
         const std::string where = fmt::format("{}:{}", file.string(), number);
         if (!isRow) {
-            throw std::runtime_error(fmt::format(
-                "{}: '{}' is not a row theta_i,phi_i,theta_v,phi_v in degrees", where, line));
+            throw std::runtime_error(
+                fmt::format("{}: '{}' is not a row theta_i,phi_i,theta_v,phi_v in degrees", where,
+                            shownLine(line)));
         }
         plan.samples.push_back(checkedSample(degrees, where));
     }

@@ -64,7 +64,8 @@ void checkPacking(const std::filesystem::path& path, std::size_t pixels) {
 }  // namespace
 
 bool isAtlas(const std::filesystem::path& path) {
-    if (!std::filesystem::is_regular_file(path) || !beginsAsExr(MappedFile(path).bytes())) {
+    std::error_code error;  // Names that no file can have are no atlas.
+    if (!std::filesystem::is_regular_file(path, error) || !beginsAsExr(MappedFile(path).bytes())) {
         return false;
     }
     return readExr(path, [](const Imf::InputFile& file) {

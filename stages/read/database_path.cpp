@@ -15,7 +15,12 @@ namespace fs = std::filesystem;
 
 DatabasePath::DatabasePath(fs::path where, ReadOptions readOptions)
     : path(std::move(where)), options(std::move(readOptions)) {
-    if (!fs::exists(path)) {
+    std::error_code error;
+    if (!fs::exists(path, error)) {
+        if (error) {
+            throw std::runtime_error(
+                fmt::format("{}: cannot be opened: {}", path.string(), error.message()));
+        }
         throw std::runtime_error(fmt::format("{}: there is no such file or folder", path.string()));
     }
     // A pipe would be waited for, and a device has no end.

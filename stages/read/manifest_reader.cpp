@@ -86,7 +86,7 @@ std::unique_ptr<BtfReader> makeManifestReader(const DatabasePath& path) {
         Row row;
         if (!parseRow(line, row)) {
             throw std::runtime_error(fmt::format("{}:{}: '{}' is not a row {}", path.path.string(),
-                                                 number, line, kHeader));
+                                                 number, shownLine(line), kHeader));
         }
         const auto& d = row.degrees;
         photographs.push_back({names.size(), d[0], d[1], d[2], d[3]});

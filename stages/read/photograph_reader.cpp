@@ -82,6 +82,11 @@ class PhotographReader : public BtfReader {
         return decodeImage(files_->read(fileOfPair_[pair]), fileOf(pair), files_->limits());
     }
 
+    /// Of the database, for messages: a manifest's folder may be the one we are in.
+    std::string ownName() const {
+        return files_->path().empty() ? description_.source : files_->path().string();
+    }
+
     void placePhotographs(const std::vector<Photograph>& photographs) {
         struct Placed {
             std::size_t file;
@@ -104,13 +109,13 @@ class PhotographReader : public BtfReader {
             throw std::runtime_error(fmt::format(
                 "{}: none of its {} images has light and view above the surface: theta must be "
                 "below 90 degrees",
-                files_->path().string(), photographs.size()));
+                ownName(), photographs.size()));
         }
         // What matters is that no small archive makes a huge table.
         if (lights.size() * views.size() > 64 * above.size() + (std::size_t{1} << 20)) {
             throw std::runtime_error(fmt::format(
                 "{}: its {} images have {} light and {} view directions: they do not form a grid",
-                files_->path().string(), above.size(), lights.size(), views.size()));
+                ownName(), above.size(), lights.size(), views.size()));
         }
         std::vector<Direction> lightList = numbered(lights);
         std::vector<Direction> viewList = numbered(views);

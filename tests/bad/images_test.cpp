@@ -113,7 +113,8 @@ TEST_CASE("bad input: OpenEXR") {
     swapped.replace(0, 4, "\x01\x31\x2f\x76");
     const std::string window = text("dataWindow", "box2i");
     checkBadInputs({
-        oneImage("without green", "exr", bytesOf(exrWith({"R", "B"})), "its channels are"),
+        oneImage("without green", "exr", bytesOf(exrWith({"R", "B"})),
+                 "its channels are R, B, and"),
         oneImage("without red, green and blue", "exr", bytesOf(exrWith({"X", "Y", "Z"})),
                  "its channels are X, Y, Z, and R, G and B"),
         oneImage("depth and normals alone", "exr", bytesOf(exrWith({"Z", "N.x", "N.y", "N.z"})),
@@ -126,11 +127,12 @@ TEST_CASE("bad input: OpenEXR") {
         oneImage("a deep image", "exr", bytesOf(deep), "deep"),
         oneImage("two parts, of which the first counts", "exr", bytesOf(parts), "complete +true",
                  0),
-        oneImage("every second pixel sampled", "exr", subsampledExr(), "sampl|not a whole image"),
+        oneImage("every second pixel sampled", "exr", subsampledExr(),
+                 "Subsampled channels are not supported"),
         oneImage("NaN in every pixel", "exr", bytesOf(notANumber), "nonfinite +12", 0),
         oneImage("the magic number of the other endianness", "exr", swapped, "not a whole image"),
         oneImage("without its end", "exr", cut(exr, 0.95), "not a whole image"),
-        oneImage("a header alone", "exr", cut(exr, 0.5), "damaged or cut|not a whole image"),
+        oneImage("a header alone", "exr", cut(exr, 0.5), "is damaged or cut"),
         oneImage("2^31 columns", "exr", patched(exr, window, 12, 0x7fffffff), "declares"),
         oneImage("a million rows", "exr", patched(exr, window, 16, 1000000), "declares"),
         oneImage("a window that ends before it begins", "exr", patched(exr, window, 12, 0xfffffff0),

@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
 shift || true
-targets=${*:-$(sed -n '/^set(fuzz_targets/,/)/p' tests/CMakeLists.txt | sed 's/set(fuzz_targets//; s/)//')}
+targets=${*:-$(bash tests/fuzz/targets.sh)}
 if [ -z "${FUZZ_BIN:-}" ]; then
     cmake --preset fuzz > /dev/null
     cmake --build --preset fuzz
@@ -27,22 +27,23 @@ for target in $targets; do
     leaks=1
     case $target in image | zip | environment) leaks=0 ;; esac
     begin=$SECONDS
-    end=$((SECONDS + seconds))
     # A finding ends the program: what is left of the time is a new run's.
-    while [ $((end - SECONDS)) -gt 0 ]; do
+    for ((run = 0; run < 20 && SECONDS < begin + seconds; ++run)); do
+        good=1
         # OpenImageIO takes 64 MB at once for any image; twice that is 8192 times the longest input.
-        if ABRDF_FUZZ_TARGET=$target "$bin/fuzz_target" "$corpus" -max_total_time=$((end - SECONDS)) -max_len=16384 \
-            -malloc_limit_mb=128 -detect_leaks=$leaks -timeout=20 -rss_limit_mb=4096 \
-            -print_final_stats=1 -seed="${FUZZ_SEED:-0}" \
-            -artifact_prefix="$PWD/build/fuzz/found/$target-" > "$log.run" 2>&1; then
-            done=1
-        else
-            done=0
-            failed=1
+        ABRDF_FUZZ_TARGET=$target "$bin/fuzz_target" "$corpus" -max_len=16384 \
+            -max_total_time=$((begin + seconds - SECONDS)) -malloc_limit_mb=128 -timeout=20 \
+            -detect_leaks=$leaks -rss_limit_mb=4096 -print_final_stats=1 \
+            -seed="${FUZZ_SEED:-0}" -artifact_prefix="$PWD/build/fuzz/found/$target-" \
+            > "$log.run" 2>&1 || good=0
+        # One that was killed has no figures of its own but those of its last line.
+        if ! grep -q '^stat::number_of_executed_units' "$log.run"; then
+            sed -n 's/^#\([0-9]*\).*/stat::number_of_executed_units: \1/p' "$log.run" | tail -n 1 >> "$log"
+            grep -a 'cov: ' "$log.run" | tail -n 1 >> "$log" || true
         fi
-        grep -vE '	(NEW|REDUCE|RELOAD|pulse) ' "$log.run" >> "$log" || true
-        [ $done = 1 ] && break
-        [ $((end - SECONDS)) -gt $((seconds / 2)) ] || break
+        grep -avE '	(NEW|REDUCE|RELOAD|pulse) |NEW_FUNC' "$log.run" >> "$log" || true
+        [ $good = 1 ] && break
+        failed=1
     done
     rm -f "$log.run"
     echo "seconds: $((SECONDS - begin))" >> "$log"

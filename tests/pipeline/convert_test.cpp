@@ -224,7 +224,7 @@ TEST_CASE("the atlas has the same bytes on 1, 2 and 7 threads, and twice in a ro
 
 TEST_CASE("an atlas wider than 32,768 pixels is written and read") {
     const TemporaryFolder folder;
-    SyntheticBtf btf = cloth(1400, 1, "png");
+    SyntheticBtf btf = cloth(1400, 1, "exr");
     btf.grid = gridFromName("regular:4x6");
     btf.value = [](const LightAndView& p, int x, int) {
         const double c = 0.1 + 0.8 * x / 1400 * std::cos(p.light.theta);
