@@ -11,8 +11,8 @@ namespace {
 
 StressMaterial bright(double factor) {
     const auto f = static_cast<float>(factor);
-    return analyticStressMaterial(
-        "bright", {lambertPart({0.15F, 0.1F, 0.05F}), highlightPart(0.06F, 0.06F, 0.05F, {f, f, f})});
+    return analyticStressMaterial("bright", {lambertPart({0.15F, 0.1F, 0.05F}),
+                                             highlightPart(0.06F, 0.06F, 0.05F, {f, f, f})});
 }
 
 }  // namespace
