@@ -5,8 +5,6 @@
 #include "color/rgb.h"
 
 #include <cmath>
-#include <cstddef>
-#include <span>
 
 namespace abrdf {
 

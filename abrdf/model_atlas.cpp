@@ -11,26 +11,15 @@
 
 namespace abrdf {
 
-namespace {
-
-Rgb bounded(Rgb value, float most) {
-    if (!isFinite(value)) return {};
-    if (isNegative(value)) {
-        value = {std::max(value.r, 0.0F), std::max(value.g, 0.0F), std::max(value.b, 0.0F)};
-    }
-    const float largest = std::max({value.r, value.g, value.b});
-    return largest > most ? (most / largest) * value : value;
-}
-
-}  // namespace
-
-void evaluateTexels(const ModelAtlas& atlas, const TexelModel& model,
-                    std::span<const std::size_t> texels, std::span<Rgb> abrdfs) {
+UnrealCounts evaluateTexels(const ModelAtlas& atlas, const TexelModel& model,
+                            std::span<const std::size_t> texels, std::span<Rgb> abrdfs) {
     model.evaluate(atlas.texels.unpacked(texels), abrdfs);
     const std::size_t pairs = model.pairs();
-    for (std::size_t i = 0; i < texels.size() * pairs; ++i) {
-        abrdfs[i] = bounded(abrdfs[i], atlas.most[texels[i / pairs]]);
+    UnrealCounts counts;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        makeLights(abrdfs.subspan(i * pairs, pairs), atlas.most[texels[i]], counts);
     }
+    return counts;
 }
 
 std::vector<std::size_t> texelRange(std::size_t begin, std::size_t end) {
@@ -75,8 +64,11 @@ Rgb lookUp(const ModelAtlas& atlas, const PairInterpolation& interpolation, Dire
         static_cast<std::size_t>(texelX);
     const TexelCodes codes = atlas.texels.unpacked(std::span(&texel, 1));
     Rgb sum;
+    UnrealCounts uncounted;
     for (const WeightedPair& term : interpolation.weights({light, view})) {
-        sum += term.weight * bounded(atlas.model.at(codes, 0, term.pair), atlas.most[texel]);
+        Rgb value = atlas.model.at(codes, 0, term.pair);
+        makeLights({&value, 1}, atlas.most[texel], uncounted);
+        sum += term.weight * value;
     }
     return sum;
 }

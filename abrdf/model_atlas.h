@@ -4,6 +4,7 @@
 #include "abrdf/atlas.h"
 #include "abrdf/packed_codes.h"
 #include "abrdf/pair_interpolation.h"
+#include "abrdf/real_light.h"
 #include "abrdf/texel_model.h"
 
 #include <cstddef>
@@ -23,9 +24,9 @@ struct ModelAtlas {
 };
 
 /// All pairs of some texels, texel after texel, of `model`, which is the atlas's or a part of it:
-/// finite, not negative, and at most `most`.
-void evaluateTexels(const ModelAtlas& atlas, const TexelModel& model,
-                    std::span<const std::size_t> texels, std::span<Rgb> abrdfs);
+/// finite, not negative, and at most `most`. Counts the values that were not.
+UnrealCounts evaluateTexels(const ModelAtlas& atlas, const TexelModel& model,
+                            std::span<const std::size_t> texels, std::span<Rgb> abrdfs);
 
 /// begin, begin + 1 ... end - 1.
 std::vector<std::size_t> texelRange(std::size_t begin, std::size_t end);

@@ -108,7 +108,7 @@ void addExport(CLI::App& app, RunCommand& runCommand) {
     command
         ->add_option("--resolution", job->options.resolution,
                      "of rgl: samples a side for each direction (else 128, 64 of a grid, 32 where "
-                     "anisotropic)")
+                     "anisotropic); of radiance: cells a side, a power of two")
         ->check(CLI::Range(8, 512));
     addGrazingOption(*command, job->grazing);
     command->callback([job, scene, light, &runCommand] {

@@ -5,7 +5,7 @@
 #include "pipeline/convert_job.h"
 #include "pipeline/estimate_report.h"
 #include "pipeline/json_text.h"
-#include "pipeline/rank_report.h"
+#include "pipeline/settle_tolerance.h"
 #include "pipeline/tile_journal.h"
 #include "pipeline/write_atlas.h"
 #include "pipeline/write_model.h"
@@ -282,29 +282,6 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options,
     return report;
 }
 
-/// What the texels' models are, where a tolerance chooses them. Warns where it is not within reach;
-/// throws where that is an error.
-ordered_json settleTolerance(const ConvertJob& job, const ConvertOptions& options,
-                             const Reconstructor& reconstructor, const TexelSlicer& slicer,
-                             const ReadFacts& facts) {
-    const double tolerance = job.method.options.tolerance;
-    if (tolerance <= 0 || reconstructor.model() == nullptr) return nullptr;
-    const RankFacts found =
-        rankFacts(reconstructor, slicer, facts, job.samples().pairs.size(), tolerance);
-    if (found.within < found.texels) {
-        const std::string what = fmt::format(
-            "of {} texels that were looked at, {} cannot be known to be within {:g} Delta E from "
-            "{} samples",
-            found.texels, found.texels - found.within, tolerance, job.samples().count());
-        if (options.limits.strict) {
-            throw std::runtime_error(fmt::format("{}: {}; take more of them, or leave --strict out",
-                                                 options.output.string(), what));
-        }
-        if (job.input.warn) job.input.warn(what + "; these take the whole model");
-    }
-    return jsonOf(found, tolerance);
-}
-
 }  // namespace
 
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
@@ -347,7 +324,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         WrittenModel made =
             writeModel(job, options, *table, maker.slicer, *reconstructor, progress);
         written.counts = job.header.counts;
-        written.type = PixelType::kFloat;
+        written.type = made.type;
         written.bytes = made.bytes;
         written.estimates = std::move(made.estimates);
     } else if (table) {

@@ -22,13 +22,11 @@ namespace {
 AtlasHeader headerOf(const ConvertJob& job, const ConvertOptions& options) {
     const BtfDescription& description = job.input.description();
     AtlasHeader header;
-    header.layout = {options.layout, job.texels.width, job.texels.height,
-                     static_cast<int>(job.grid.lights().size()),
-                     static_cast<int>(job.grid.views().size())};
     // A model knows the measured elevations; abrdf expand goes past them.
     header.grid = options.layout == AtlasKind::kModel ? job.grazing.inner() : job.grid;
-    header.layout.lights = static_cast<int>(header.grid.lights().size());
-    header.layout.views = static_cast<int>(header.grid.views().size());
+    header.layout = {options.layout, job.texels.width, job.texels.height,
+                     static_cast<int>(header.grid.lights().size()),
+                     static_cast<int>(header.grid.views().size())};
     header.method = job.method.name;
     header.plan = job.planned.planName();
     header.samples = static_cast<int>(job.samples().count());

@@ -93,11 +93,4 @@ ErrorScale learnErrorScale(const PriorModel& model, double exposure) {
     return scale;
 }
 
-double expectedError(const PriorModel& model, double exposure) {
-    double sum = 0;
-    const std::vector<Trial> trials = trialsOf(model, exposure);
-    for (const Trial& trial : trials) sum += trial.trueError;
-    return sum / static_cast<double>(trials.size());
-}
-
 }  // namespace abrdf

@@ -10,7 +10,4 @@ namespace abrdf {
 /// exposure: at which errors are meant. The same for any number of threads.
 ErrorScale learnErrorScale(const PriorModel& model, double exposure);
 
-/// Mean CIE 1976 Delta E that a model reaches on such materials, grey ones.
-double expectedError(const PriorModel& model, double exposure);
-
 }  // namespace abrdf

@@ -3,10 +3,10 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "abrdf/scratch_file.h"
 #include "color/color_config.h"
 #include "color/known_space.h"
 #include "pipeline/job.h"
-#include "pipeline/tile_journal.h"
 #include "pipeline/write_atlas.h"
 #include "stages/read/model_reader.h"
 
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 #include <stdexcept>
 
 namespace abrdf {
@@ -51,9 +50,8 @@ class Expander {
         const std::size_t own = model_.model.pairs();
         const std::size_t inner = grazing_.inner().pairCount();
         std::vector<Rgb> values(count * own);
-        evaluateTexels(model_, model_.model, which, values);
+        texels.unreal = evaluateTexels(model_, model_.model, which, values);
         if (!weights_.empty()) values = interpolated(values, count);
-        texels.unreal = {};
         texels.estimates.clear();
         for (const std::size_t t : which) {
             if (!model_.estimates.empty()) texels.estimates.push_back(model_.estimates[t]);

@@ -8,7 +8,7 @@ namespace abrdf {
 namespace {
 
 // Least squares through 60 random materials that no training has seen, 8 to 408 greedy samples of
-// 81 x 81 pairs: within 4 %; plans of slices come out 3 to 22 % too high
+// 81 x 81 pairs: within 4 %; plans of slices come out 2 % too low to 22 % too high
 // (tests/bench/plan_bench.cpp).
 constexpr double kLinear = 0.0769;
 constexpr double kCubic = 4.02e-4;

@@ -7,21 +7,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 
 namespace abrdf {
-
-namespace {
-
-float largestOf(std::span<const Rgb> samples) {
-    float largest = 0;
-    for (const Rgb& c : samples) largest = std::max({largest, c.r, c.g, c.b});
-    return largest;
-}
-
-}  // namespace
 
 WrittenModel writeModel(const ConvertJob& job, const ConvertOptions& options,
                         const TransposedTable& table, const TexelSlicer& slicer,
@@ -51,18 +40,16 @@ WrittenModel writeModel(const ConvertJob& job, const ConvertOptions& options,
                 std::span(atlas.estimates).subspan(first + begin, end - begin);
             atlas.texels.store(first + begin, reconstructor.encode(samples, estimates));
             for (std::size_t t = begin; t < end; ++t) {
-                atlas.most[first + t] =
-                    kMostOfSamples * largestOf(std::span(samples).subspan(
-                                         (t - begin) * slicer.sampleCount(), slicer.sampleCount()));
+                atlas.most[first + t] = mostOfSamples(std::span(samples).subspan(
+                    (t - begin) * slicer.sampleCount(), slicer.sampleCount()));
             }
             if (progress) progress({"reconstruct", "texels", done += end - begin, texels});
         };
         forEachTexelBlock(count, reconstructor.texelsAtOnce(), run);
     }
     WrittenModel written;
-    written.bytes =
-        writeModelAtlas(options.output, atlas,
-                        options.pixel == PixelChoice::kHalf ? PixelType::kHalf : PixelType::kFloat);
+    written.type = options.pixel == PixelChoice::kHalf ? PixelType::kHalf : PixelType::kFloat;
+    written.bytes = writeModelAtlas(options.output, atlas, written.type);
     written.estimates = std::move(atlas.estimates);
     return written;
 }

@@ -12,7 +12,8 @@ namespace abrdf {
 
 struct WrittenModel {
     std::uint64_t bytes = 0;
-    std::vector<float> estimates;  ///< A bound of each texel's mean Delta E.
+    PixelType type = PixelType::kFloat;  ///< Of the coefficients.
+    std::vector<float> estimates;        ///< A bound of each texel's mean Delta E.
 };
 
 /// Makes and writes a model atlas of all texels of a table (rows images, columns texels row by

@@ -12,7 +12,6 @@ namespace abrdf {
 namespace {
 
 constexpr std::size_t kProbes = 192;
-
 constexpr std::uint64_t kProbeSeed = 0x9206e5;
 
 std::vector<DisplayLab> labsOf(std::span<const Rgb> colors, float exposure) {
@@ -110,16 +109,13 @@ void PriorLadder::choose(const TexelCodes& whole, TexelCodes& projected,
                          std::span<const Rgb> samples, std::span<float> deltaE) const {
     const std::vector<float> leftOut = leftOutErrors(whole, samples);
     const std::size_t probes = parts_.wholeProbes.pairs();
-    std::vector<DisplayLab> wanted;
-    if (probes > 0) wanted = labsOf(parts_.wholeProbes, whole, parts_.exposure);
+    const std::vector<DisplayLab> wanted = labsOf(parts_.wholeProbes, whole, parts_.exposure);
     std::vector<std::size_t> open;
     // No model helps a texel whose samples contradict one another: it takes the largest at once.
     for (std::size_t t = 0; t < whole.count(); ++t) {
         deltaE[t] = leftOut[t];
         projected.ranks[t] = parts_.ranks.back();
-        if (probes > 0 && (parts_.tolerance <= 0 || leftOut[t] <= parts_.tolerance)) {
-            open.push_back(t);
-        }
+        if (parts_.tolerance <= 0 || leftOut[t] <= parts_.tolerance) open.push_back(t);
     }
     const std::size_t count = parts_.sampleCosines.size();
     for (const std::uint16_t rank : parts_.ranks) {

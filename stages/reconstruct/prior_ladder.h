@@ -37,11 +37,12 @@ class PriorLadder {
 
     const std::vector<std::uint16_t>& ranks() const { return parts_.ranks; }
 
-    /// rho of Lambert's law by least squares: sum(B cos) / sum(cos^2).
-    Rgb lambertColor(std::span<const Rgb> samples) const;
+    /// A bound of each texel's error by what its samples say of one another. whole: codes of whole
+    /// rank; samples: theirs.
+    std::vector<float> leftOutErrors(const TexelCodes& whole, std::span<const Rgb> samples) const;
 
-    /// Sets the projected codes' ranks (and what a constant one needs) and a bound of each texel's
-    /// error. whole, projected: codes of the same texels; samples: theirs.
+    /// Sets the projected codes' ranks (and what a constant one needs) and the bound with what
+    /// these leave out. whole, projected: codes of the same texels; there are probes.
     void choose(const TexelCodes& whole, TexelCodes& projected, std::span<const Rgb> samples,
                 std::span<float> deltaE) const;
 
@@ -49,7 +50,8 @@ class PriorLadder {
     double multiplyAdds(std::size_t step) const;
 
   private:
-    std::vector<float> leftOutErrors(const TexelCodes& whole, std::span<const Rgb> samples) const;
+    /// rho of Lambert's law by least squares: sum(B cos) / sum(cos^2).
+    Rgb lambertColor(std::span<const Rgb> samples) const;
 
     LadderParts parts_;
     std::vector<float> lambertWeights_;

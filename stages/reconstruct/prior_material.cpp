@@ -110,7 +110,7 @@ std::vector<Eigen::MatrixX3d> PriorMaterial::chooseModels(const PriorModel& mode
 }
 
 /// Chroma by kriging and chroma of channels that are estimated like luminance: the blend by which
-/// the samples predict one another best.
+/// the samples predict one another best, and how well that is (leaveOneOutError_).
 float PriorMaterial::chosenBlend(const PriorModel& model,
                                  const std::vector<Eigen::MatrixX3d>& texels, double shown,
                                  const std::vector<Eigen::MatrixX3d>& kriged) {
@@ -293,16 +293,14 @@ TexelCodes PriorMaterial::projected(const TexelCodes& whole) const {
 TexelCodes PriorMaterial::encode(std::span<const Rgb> samples, std::span<float> deltaE) const {
     std::vector<Rgb> restored;
     TexelCodes whole = encoder_.encode(samples, restored);
-    const bool isProjected = luminanceProjection_.columns() > 0;
-    const bool hasSteps = ladder_.ranks().size() > 1;
-    std::vector<float> errors(whole.count());
-    if (!isProjected) {
+    if (luminanceProjection_.columns() == 0) {
         if (!deltaE.empty()) {
-            TexelCodes unused = whole;
-            ladder_.choose(whole, unused, restored, deltaE);
+            std::ranges::copy(ladder_.leftOutErrors(whole, restored), deltaE.begin());
         }
         return whole;
     }
+    const bool hasSteps = ladder_.ranks().size() > 1;
+    std::vector<float> errors(whole.count());
     TexelCodes codes = projected(whole);
     if (!deltaE.empty() || hasSteps) {
         ladder_.choose(whole, codes, restored, deltaE.empty() ? std::span(errors) : deltaE);

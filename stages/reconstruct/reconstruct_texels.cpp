@@ -8,48 +8,6 @@
 
 namespace abrdf {
 
-namespace {
-
-float largestChannel(std::span<const Rgb> samples) {
-    float largest = 0;
-    for (const Rgb& c : samples) largest = std::max({largest, c.r, c.g, c.b});
-    return largest;
-}
-
-/// True where all lie in 0 .. most; without a branch, so that compilers make vectors of it.
-bool areLights(std::span<const Rgb> values, float most) {
-    static_assert(sizeof(Rgb) == 3 * sizeof(float));
-    const float* channels = &values.front().r;
-    int others = 0;
-    for (std::size_t i = 0; i < 3 * values.size(); ++i) {
-        const auto notNegative = static_cast<int>(channels[i] >= 0);
-        others += 1 - (notNegative & static_cast<int>(channels[i] <= most));
-    }
-    return others == 0;
-}
-
-/// Makes lights of values: none unreal, negative or above `most`.
-void makeLights(std::span<Rgb> values, float most, UnrealCounts& counts) {
-    for (Rgb& value : values) {
-        if (!isFinite(value)) {
-            ++counts.nonfinite;
-            value = {};
-            continue;
-        }
-        if (isNegative(value)) {
-            ++counts.clamped;
-            value = {std::max(value.r, 0.0F), std::max(value.g, 0.0F), std::max(value.b, 0.0F)};
-        }
-        const float largest = std::max({value.r, value.g, value.b});
-        if (largest > most) {
-            ++counts.dimmed;
-            value *= most / largest;
-        }
-    }
-}
-
-}  // namespace
-
 void Reconstructor::reconstructKnowing(std::span<const Rgb> samples, std::span<Rgb> abrdfs,
                                        std::span<float> deltaE) const {
     reconstruct(samples, abrdfs);
@@ -65,16 +23,11 @@ UnrealCounts reconstructBlock(std::span<const Rgb> samples, std::size_t texels,
         reconstructor.reconstructKnowing(samples, abrdfs, estimates);
     }
     UnrealCounts counts;
-    constexpr std::size_t kPiece = 512;  // Looked at while it is in the innermost cache.
     const std::size_t own = samples.size() / texels;
     const std::size_t pairs = abrdfs.size() / texels;
     for (std::size_t t = 0; t < texels; ++t) {
-        const float most = std::min(kMostOfSamples * largestChannel(samples.subspan(t * own, own)),
-                                    std::numeric_limits<float>::max());
-        for (std::size_t begin = 0; begin < pairs; begin += kPiece) {
-            const auto piece = abrdfs.subspan(t * pairs + begin, std::min(kPiece, pairs - begin));
-            if (!areLights(piece, most)) makeLights(piece, most, counts);
-        }
+        makeLights(abrdfs.subspan(t * pairs, pairs), mostOfSamples(samples.subspan(t * own, own)),
+                   counts);
     }
     return counts;
 }

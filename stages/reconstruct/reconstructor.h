@@ -3,13 +3,12 @@
 
 #include "abrdf/abrdf_tile.h"
 #include "abrdf/prior_model.h"
+#include "abrdf/real_light.h"
 #include "abrdf/sample_set.h"
 #include "abrdf/slice_plan.h"
 #include "abrdf/texel_model.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -109,24 +108,6 @@ std::span<const Method> methods();
 
 /// Throws std::invalid_argument for an unknown name, listing the known ones.
 const Method& methodFromName(const std::string& name);
-
-/// How many values a reconstruction made that no light has.
-struct UnrealCounts {
-    std::uint64_t clamped = 0;    ///< Negative ones, set to 0.
-    std::uint64_t nonfinite = 0;  ///< NaN and infinite ones, set to 0.
-    /// Those above kMostOfSamples times the texel's largest sample, dimmed to that: a highlight
-    /// that the samples only suggest is not made up at any height.
-    std::uint64_t dimmed = 0;
-
-    UnrealCounts& operator+=(const UnrealCounts& other) {
-        clamped += other.clamped;
-        nonfinite += other.nonfinite;
-        dimmed += other.dimmed;
-        return *this;
-    }
-};
-
-inline constexpr float kMostOfSamples = 4;
 
 /// The stage for `texels` texels, at most reconstructor.texelsAtOnce(), where it is called. No
 /// negative, infinite or NaN value leaves it, and none above kMostOfSamples times the texel's

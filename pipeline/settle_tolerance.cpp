@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/rank_report.h"
+#include "pipeline/settle_tolerance.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 namespace abrdf {
+
+using nlohmann::ordered_json;
 
 namespace {
 
@@ -18,8 +21,15 @@ std::string nameOf(std::uint16_t rank, const TexelModel& model) {
     return fmt::format("rank {}", rank);
 }
 
-}  // namespace
+/// How small the models of some texels may be for a tolerance.
+struct RankFacts {
+    std::size_t texels = 0;  ///< That were looked at.
+    std::size_t within = 0;  ///< Whose bound is within the tolerance.
+    ordered_json ranks;      ///< How many texels took which: {"constant": 1, "rank 8": 3}.
+    double cost = 1;         ///< Mean multiply-adds beside those of whole models.
+};
 
+/// images: how many were read. The reconstructor has a model.
 RankFacts rankFacts(const Reconstructor& reconstructor, const TexelSlicer& slicer,
                     const ReadFacts& facts, std::size_t images, double tolerance) {
     const std::vector<Rgb>& band = facts.someTexels.empty() ? facts.means : facts.someTexels;
@@ -48,12 +58,31 @@ RankFacts rankFacts(const Reconstructor& reconstructor, const TexelSlicer& slice
     return found;
 }
 
-nlohmann::ordered_json jsonOf(const RankFacts& facts, double tolerance) {
+}  // namespace
+
+ordered_json settleTolerance(const ConvertJob& job, const ConvertOptions& options,
+                             const Reconstructor& reconstructor, const TexelSlicer& slicer,
+                             const ReadFacts& facts) {
+    const double tolerance = job.method.options.tolerance;
+    if (tolerance <= 0 || reconstructor.model() == nullptr) return nullptr;
+    const RankFacts found =
+        rankFacts(reconstructor, slicer, facts, job.samples().pairs.size(), tolerance);
+    if (found.within < found.texels) {
+        const std::string what = fmt::format(
+            "of {} texels that were looked at, {} cannot be known to be within {:g} Delta E from "
+            "{} samples",
+            found.texels, found.texels - found.within, tolerance, job.samples().count());
+        if (options.limits.strict) {
+            throw std::runtime_error(fmt::format("{}: {}; take more of them, or leave --strict out",
+                                                 options.output.string(), what));
+        }
+        if (job.input.warn) job.input.warn(what + "; these take the whole model");
+    }
     return {{"tolerance", tolerance},
-            {"of_texels", facts.texels},
-            {"within", facts.within},
-            {"ranks", facts.ranks},
-            {"cost", facts.cost}};
+            {"of_texels", found.texels},
+            {"within", found.within},
+            {"ranks", found.ranks},
+            {"cost", found.cost}};
 }
 
 }  // namespace abrdf
