@@ -110,6 +110,24 @@ Rgb GrazingMap::value(std::span<const Rgb> inner, const Terms& light, const Term
     return {std::max(0.0F, sum.r), std::max(0.0F, sum.g), std::max(0.0F, sum.b)};
 }
 
+std::vector<double> GrazingMap::innerWeights(std::span<const double> weights) const {
+    if (isIdentity()) return {weights.begin(), weights.end()};
+    std::vector<double> inner(inner_.pairCount());
+    std::size_t pair = 0;
+    for (const Terms& light : lights_) {
+        for (const Terms& view : views_) {
+            const double weight = weights[pair++];
+            for (const Term& l : light) {
+                for (const Term& v : view) {
+                    inner[inner_.pairIndex(l.index, v.index)] +=
+                        weight * static_cast<double>(std::abs(l.weight * v.weight));
+                }
+            }
+        }
+    }
+    return inner;
+}
+
 AbrdfTile GrazingMap::apply(const AbrdfTile& inner) const {
     if (isIdentity()) return inner;
     AbrdfTile outer(inner.texelCount(), lights_.size() * views_.size());

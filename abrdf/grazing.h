@@ -51,6 +51,10 @@ class GrazingMap {
     /// Pairs of the outer grid with light or view past the measured elevations.
     std::uint64_t extrapolatedPairs() const { return extrapolatedPairs_; }
 
+    /// How much each pair of the inner grid matters where those of the outer one do so by
+    /// `weights`; the same sum, but for kExtrapolate's.
+    std::vector<double> innerWeights(std::span<const double> weights) const;
+
     /// All pairs of the outer grid for each texel, from all pairs of the inner one.
     AbrdfTile apply(const AbrdfTile& inner) const;
 

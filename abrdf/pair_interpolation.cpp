@@ -141,10 +141,32 @@ std::vector<WeightedPair> PairInterpolation::weights(const LightAndView& target)
     return result;
 }
 
+std::vector<std::size_t> PairInterpolation::pairsFor(const AngularGrid& targets) const {
+    std::vector<Place> views;
+    for (const Direction& d : targets.views()) views.push_back(viewPlace(d));
+    std::vector<bool> isUsed(viewCount_ * lights_.directions().size());
+    for (const Direction& d : targets.lights()) {
+        const Place light = lightPlace(d);
+        for (const Place& view : views) {
+            forEachLinearTerm(light, view, [&](std::size_t pair, double) { isUsed[pair] = true; });
+            if (isNode(light, view)) continue;
+            for (const auto& l : light.smooth.terms) {
+                for (const auto& v : view.smooth.terms) {
+                    isUsed[l.index * viewCount_ + v.index] = true;
+                }
+            }
+        }
+    }
+    std::vector<std::size_t> used;
+    for (std::size_t pair = 0; pair < isUsed.size(); ++pair) {
+        if (isUsed[pair]) used.push_back(pair);
+    }
+    return used;
+}
+
 Rgb PairInterpolation::value(const Place& light, const Place& view,
                              std::span<const Rgb> values) const {
-    const bool isNode = light.linear.terms.size() == 1 && view.linear.terms.size() == 1;
-    if (isNode && !isExtrapolated(light, view)) {
+    if (isNode(light, view)) {
         return values[light.linear.terms[0].index * viewCount_ + view.linear.terms[0].index];
     }
     Sum linear;

@@ -50,12 +50,19 @@ class PairInterpolation {
         return value(lightPlace(target.light), viewPlace(target.view), values);
     }
 
+    /// The pairs whose values value() looks at for any pair of another grid, ascending.
+    std::vector<std::size_t> pairsFor(const AngularGrid& targets) const;
+
     /// True past the last elevation of either list.
     static bool isExtrapolated(const Place& light, const Place& view) {
         return light.linear.extrapolated || view.linear.extrapolated;
     }
 
   private:
+    static bool isNode(const Place& light, const Place& view) {
+        return light.linear.terms.size() == 1 && view.linear.terms.size() == 1 &&
+               !isExtrapolated(light, view);
+    }
     static Place placeIn(const AngularInterpolation& list, Direction direction);
 
     /// Calls add(pair, weight) for each term of the linear estimate.

@@ -29,12 +29,24 @@ std::string summaryOf(const nlohmann::ordered_json& r) {
         : r.contains("resumed_tiles")
             ? fmt::format(", {} tiles from an earlier run", r["resumed_tiles"].get<std::size_t>())
             : "";
+    const std::string saved =
+        r.contains("scene")
+            ? fmt::format(
+                  "for the {} pairs of {}: {} images instead of {}, {} "
+                  "pairs a texel instead of {}\n",
+                  r["scene"]["pairs"].get<std::size_t>(), r["scene"]["file"].get<std::string>(),
+                  r["scene"]["images"]["read"].get<std::size_t>(),
+                  r["scene"]["images"]["without"].get<std::size_t>(),
+                  r["scene"]["outputs"]["reconstructed"].get<std::size_t>(),
+                  r["scene"]["outputs"]["without"].get<std::size_t>())
+            : "";
     const std::string advice = r.contains("advice") ? r["advice"].get<std::string>() + "\n" : "";
     return fmt::format(
-        "{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s{}\n{}",
+        "{}: {} x {} texels of {} lights x {} views from {} images in {:.2f} s{}\n{}{}",
         r["output"]["path"].get<std::string>(), r["texels"][0].get<int>(),
         r["texels"][1].get<int>(), r["grid"]["lights"].get<int>(), r["grid"]["views"].get<int>(),
-        r["plan"]["images_read"].get<int>(), r["time"]["total"].get<double>(), before, advice);
+        r["plan"]["images_read"].get<int>(), r["time"]["total"].get<double>(), before, saved,
+        advice);
 }
 
 std::string planText(const nlohmann::ordered_json& r) {
@@ -137,6 +149,9 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
                      "input | ubo81 | dome151 | utia288 | regular:THETASxPHIS | a CSV of "
                      "theta_deg,phi_deg")
         ->capture_default_str();
+    command->add_option("--pairs", job.pairs,
+                        "only what a scene shows: a CSV of theta_i,phi_i,theta_v,phi_v,weight in "
+                        "degrees; grid, samples and rank are chosen for these pairs");
     addGrazingOption(*command, job.grazing);
     command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
         ->capture_default_str();

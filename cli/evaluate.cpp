@@ -34,6 +34,9 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
     command
         ->add_option("--exposure", options->job.exposure, "factor on the values, natural exposure")
         ->capture_default_str();
+    command->add_option("--pairs", options->job.pairs,
+                        "only what a scene shows, as a CSV of theta_i,phi_i,theta_v,phi_v,weight "
+                        "in degrees: samples are chosen and errors counted for these pairs");
     command->add_option("--sheet", options->job.sheet, "contact sheet, a PNG");
     command
         ->add_option("--pair", options->pairs,

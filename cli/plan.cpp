@@ -24,6 +24,9 @@ void addPlan(CLI::App& app, RunCommand& runCommand) {
     command->add_option("--input", job->input, "choose among the images of this database")
         ->excludes(grid);
     addReadOptions(*command, job->read);
+    command->add_option("--pairs", job->pairs,
+                        "only what a scene shows counts: a CSV of "
+                        "theta_i,phi_i,theta_v,phi_v,weight in degrees");
     CLI::Option* continuous = command->add_flag(
         "--continuous", job->continuous,
         "whole slices that a goniometer sweeps; --grid or --input are what is to be reconstructed");

@@ -34,6 +34,7 @@ struct ConvertOptions {
     MethodChoice method;
     MethodLimits limits;               ///< By which method, plan and rank are chosen.
     std::string grid = "input";        ///< Or what gridFromName() takes.
+    std::filesystem::path pairs;       ///< What a scene shows, as CSV; empty: all of the grid.
     Grazing grazing = Grazing::kHold;  ///< Past the measured elevations.
     Texels texels;
     PlaneChoice plane;

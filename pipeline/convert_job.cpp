@@ -140,6 +140,14 @@ void checkModel(const ConvertJob& job, const ConvertOptions& options) {
     if (!why.empty()) throw std::invalid_argument("--layout model: " + why);
 }
 
+/// What the scene asks of the pairs that are reconstructed.
+std::optional<SceneChoice> sceneOf(const ConvertJob& job, const ConvertOptions& options) {
+    if (!job.scene) return {};
+    return SceneChoice{
+        {job.scene->name, job.grazing.innerWeights(sceneWeights(*job.scene, job.grid))},
+        options.method.plan.isOpen()};
+}
+
 /// A number for a list of directions.
 std::uint64_t hashOf(const std::vector<Direction>& directions, std::uint64_t seed) {
     return contentHash(
@@ -181,8 +189,10 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     ConvertJob job;
     checkPlanChoice(methodFromName(options.method.name), options.method.plan);
     if (options.grid != "input") job.grid = gridFromName(options.grid);
+    if (!options.pairs.empty()) job.scene = scenePairsFromCsv(options.pairs);
     job.input = openInput(options.input);
     if (options.grid == "input") job.grid = job.input.description().grid;
+    if (job.scene) job.grid = sceneGrid(*job.scene, job.grid);
     job.texels = resolvedTexels(options.texels, job.input.description());
     const BtfDescription& description = job.input.description();
     job.grazing =
@@ -190,7 +200,9 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     job.method = options.method;
     job.chosen =
         settleMethod(job.method, options.limits, job.grazing.inner().pairCount(), job.input.warn);
-    job.planned = planMethod(job.method, job.input, job.grazing.inner(), progress);
+    const std::optional<SceneChoice> scene = sceneOf(job, options);
+    job.planned =
+        planMethod(job.method, job.input, job.grazing.inner(), progress, scene ? &*scene : nullptr);
     job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
     job.isUnshifted = options.plane.unshift && job.found.plane.height != 0;
     checkUnshift(job, options);
@@ -212,7 +224,7 @@ ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options) {
     const auto number = [](const std::optional<double>& value) {
         return value ? ordered_json(*value) : ordered_json("auto");
     };
-    return {
+    ordered_json asked = {
         {"version", ABRDF_VERSION},
         {"source", job.header.source},
         {"images", job.samples().pairs.size()},
@@ -239,7 +251,37 @@ ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options) {
         {"compression", nameOf(options.compression)},
         {"output_space", job.header.colorSpace},
         {"cosine", options.divideCosine ? "divide" : "keep"}};
+    if (job.scene) {
+        const std::vector<double>& weights = job.planned.weights;
+        asked["pairs"] = hex(contentHash(
+            {reinterpret_cast<const char*>(weights.data()), weights.size() * sizeof(double)}));
+    }
+    return asked;
 }
+
+namespace {
+
+/// What the scene shows, and what that saved beside the same conversion of all pairs.
+ordered_json sceneReport(const ConvertJob& job, const ConvertOptions& options) {
+    const AngularGrid whole =
+        options.grid == "input" ? job.input.description().grid : gridFromName(options.grid);
+    const bool readsAll = job.planned.method->wish == SampleWish::kEverything;
+    const std::size_t images =
+        readsAll ? job.input.description().imageCount()
+                 : std::min(kPlanSamples, job.input.description().grid.pairCount());
+    ordered_json report = {
+        {"file", options.pairs.filename().string()},
+        {"pairs", job.scene->pairs.size()},
+        {"own_directions",
+         {{"lights", job.grid.lights() != whole.lights()},
+          {"views", job.grid.views() != whole.views()}}},
+        {"images", {{"read", job.samples().pairs.size()}, {"without", images}}},
+        {"outputs", {{"reconstructed", job.grid.pairCount()}, {"without", whole.pairCount()}}}};
+    if (job.planned.expectedError) report["expected_delta_e"] = *job.planned.expectedError;
+    return report;
+}
+
+}  // namespace
 
 ordered_json identityOf(ordered_json asked, std::uint64_t hash, std::span<const Rgb> meanSamples,
                         const Reconstructor& reconstructor, std::size_t pairs) {
@@ -281,6 +323,7 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options) {
     report["color"] = {{"config", job.input.colors.origin()},
                        {"conversions", ordered_json::array({conversion})}};
     report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
+    if (job.scene) report["scene"] = sceneReport(job, options);
     report["grazing"] = nameOf(options.grazing);
     report["plane"] = jsonOf(job.found, description.grid);
     if (job.header.shard > 0) report["shard"] = {job.header.shard, job.header.shards};

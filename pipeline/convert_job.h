@@ -3,6 +3,7 @@
 
 #include "abrdf/atlas_header.h"
 #include "abrdf/grazing.h"
+#include "abrdf/scene_pairs.h"
 #include "abrdf/tile_order.h"
 #include "pipeline/convert.h"
 #include "pipeline/memory_plan.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,6 +25,7 @@ struct ConvertJob {
     nlohmann::ordered_json chosen;  ///< Why; null where there was nothing to choose.
     PlannedMethod planned;
     FoundPlane found;
+    std::optional<ScenePairs> scene;  ///< Of which `grid` is made; none: all of the grid matters.
     AngularGrid grid;
     GrazingMap grazing;  ///< From the elevations that are measured to the grid's.
     Texels texels;       ///< Of the whole atlas.

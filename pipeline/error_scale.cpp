@@ -2,6 +2,7 @@
 #include "pipeline/error_scale.h"
 
 #include "abrdf/for_each_texel.h"
+#include "abrdf/scene_pairs.h"
 #include "color/delta_e.h"
 #include "stages/measure/quantile.h"
 #include "stages/reconstruct/grey_prior.h"
@@ -41,15 +42,20 @@ struct Trial {
     double leftOutError = 0;
 };
 
-std::vector<Trial> trialsOf(const PriorModel& whole, double exposure) {
+/// The model for some of its outputs: every k-th, or as their weights are.
+PriorModel withSomeOutputs(const PriorModel& whole, std::span<const double> weights) {
+    if (!weights.empty()) return withOutputs(whole, spreadByWeight(weights, kOutputs));
     std::vector<std::size_t> kept;
     const std::size_t step = (whole.outputs.size() + kOutputs - 1) / kOutputs;
     for (std::size_t i = step / 2; i < whole.outputs.size(); i += step) kept.push_back(i);
-    const PriorModel model = withOutputs(whole, kept);
+    return withOutputs(whole, kept);
+}
+
+std::vector<Trial> trialsOf(const PriorModel& model, double exposure) {
     const GreyPrior prior(model);
     const std::vector<VectorPair> samples = vectorPairs(model.samples);
     const std::vector<VectorPair> outputs = vectorPairs(model.outputs);
-    const std::vector<float> equal(kept.size(), 1.0F / static_cast<float>(kept.size()));
+    const std::vector<float> equal(outputs.size(), 1.0F / static_cast<float>(outputs.size()));
     std::vector<Trial> trials(kMaterials);
     forEachImage(kMaterials, [&](std::size_t i) {
         Random random(kSeed, i);
@@ -73,9 +79,11 @@ std::vector<Trial> trialsOf(const PriorModel& whole, double exposure) {
 
 }  // namespace
 
-ErrorScale learnErrorScale(const PriorModel& model, double exposure) {
+ErrorScale learnErrorScale(const PriorModel& model, double exposure,
+                           std::span<const double> weights) {
+    const PriorModel some = withSomeOutputs(model, weights);
     std::vector<float> ratios;
-    for (const Trial& trial : trialsOf(model, exposure)) {
+    for (const Trial& trial : trialsOf(some, exposure)) {
         const double most = std::max(trial.trueError, trial.leftOutError);
         if (most < kLeastDeltaE || trial.isotropicShare >= kIsotropicShare) continue;
         ratios.push_back(static_cast<float>(trial.trueError / std::max(trial.leftOutError, 1e-9)));
@@ -86,10 +94,10 @@ ErrorScale learnErrorScale(const PriorModel& model, double exposure) {
     // among the outputs; part of an error falls with that distance and part, noise, does not: its
     // root.
     const SampleBlocks blocks = leaveOutBlocks(model.samples);
+    const std::vector<LightAndView>& outputs = weights.empty() ? model.outputs : some.outputs;
     scale.isotropic =
-        scale.other *
-        std::sqrt(nearness(model.samples, blocks, model.outputs, true) /
-                  std::max(nearness(model.samples, blocks, model.outputs, false), 1e-9));
+        scale.other * std::sqrt(nearness(model.samples, blocks, outputs, true) /
+                                std::max(nearness(model.samples, blocks, outputs, false), 1e-9));
     return scale;
 }
 

@@ -3,6 +3,7 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "abrdf/scene_pairs.h"
 #include "pipeline/estimate_report.h"
 #include "pipeline/evaluate_report.h"
 #include "pipeline/evaluate_sheet.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 namespace abrdf {
@@ -73,10 +75,11 @@ struct Reconstruction {
 };
 
 Reconstruction reconstruct(const MethodChoice& choice, const OpenedInput& input, Texels texels,
-                           const PlaneChoice& plane, const ProgressSink& progress) {
+                           const PlaneChoice& plane, const SceneChoice* scene,
+                           const ProgressSink& progress) {
     const AngularGrid& grid = input.description().grid;
     Reconstruction result;
-    result.planned = planMethod(choice, input, grid, progress);
+    result.planned = planMethod(choice, input, grid, progress, scene);
     const SampleSet& samples = result.planned.samples;
     result.found = planeOf(result.planned, plane, input, texels, progress);
     const ReadStack read = readStack(input, samples, texels, result.found.plane, progress);
@@ -115,13 +118,15 @@ void addObeyed(const Reconstruction& reconstruction, const Reference& reference,
         const std::vector<float> errors =
             deltaEMap(reference.truth[t], reconstruction.abrdfs[t], exposure);
         double sum = 0;
-        std::size_t count = 0;
+        double weight = 0;
+        const std::vector<double>& weights = reconstruction.planned.weights;
         for (std::size_t pair = 0; pair < errors.size(); ++pair) {
             if (mask[pair] == 0 || !isFinite(reference.truth[t][pair])) continue;
-            sum += static_cast<double>(errors[pair]);
-            ++count;
+            const double own = weights.empty() ? 1 : weights[pair];
+            sum += own * static_cast<double>(errors[pair]);
+            weight += own;
         }
-        const double mean = sum / static_cast<double>(std::max<std::size_t>(count, 1));
+        const double mean = weight > 0 ? sum / weight : 0;
         obeys[t] = mean <= static_cast<double>(reconstruction.estimates[t]) ? 1 : 0;
     });
     result["estimate"]["obeyed"] =
@@ -139,8 +144,9 @@ ordered_json measured(const Reconstruction& reconstruction, const Reference& ref
     const std::vector<std::vector<std::uint8_t>> masks = {
         maskOf(reference, {}),
         maskOf(reference, isOffGrid ? std::vector<std::size_t>{} : samples.pairs)};
-    const std::vector<TexelMeasures> measures = measureTexels(
-        reference.truth, reconstruction.abrdfs, masks, MeasureOptions{options.exposure});
+    const std::vector<TexelMeasures> measures =
+        measureTexels(reference.truth, reconstruction.abrdfs, masks,
+                      MeasureOptions{options.exposure, reconstruction.planned.weights});
     std::vector<ordered_json> json;
     for (std::size_t m = 0; m < masks.size(); ++m) {
         json.push_back(jsonOf(measures[m].accuracy));
@@ -190,6 +196,13 @@ std::vector<SheetImage> sheetImages(const Reconstruction& reconstruction,
     return images;
 }
 
+/// What a scene asks of the measured pairs: its own directions have no truth.
+std::optional<SceneChoice> sceneOf(const EvaluateOptions& options, const AngularGrid& grid) {
+    if (options.pairs.empty()) return {};
+    const ScenePairs scene = scenePairsFromCsv(options.pairs);
+    return SceneChoice{{scene.name, sceneWeights(scene, grid)}, options.choice.plan.isOpen()};
+}
+
 }  // namespace
 
 std::vector<LightAndView> defaultImagePairs() {
@@ -211,6 +224,7 @@ ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progre
     const OpenedInput input = openInput(options.input);
     const AngularGrid& grid = input.description().grid;
     const Texels texels = resolvedTexels(options.texels, input.description());
+    const std::optional<SceneChoice> scene = sceneOf(options, grid);
     Reference reference;
     ContactSheet sheet;
     sheet.title = input.description().source;
@@ -227,13 +241,14 @@ ordered_json evaluate(const EvaluateOptions& options, const ProgressSink& progre
     report["pairs"] = grid.pairCount();
     report["texels"] = {texels.width, texels.height};
     report["exposure"] = options.exposure;
+    if (scene) report["scene"] = options.pairs.filename().string();
     report["results"] = ordered_json::array();
     for (const std::string& method : options.methods) {
         MethodChoice choice = options.choice;
         choice.name = method;
         choice.options.exposure = options.exposure;
         const Reconstruction reconstruction =
-            reconstruct(choice, input, texels, options.plane, progress);
+            reconstruct(choice, input, texels, options.plane, scene ? &*scene : nullptr, progress);
         // Results are compared in the frame that they are in.
         const Plane frame = options.plane.unshift ? Plane{} : reconstruction.found.plane;
         if (reference.truth.texelCount() == 0 || reference.plane.height != frame.height) {

@@ -18,6 +18,7 @@ struct EvaluateOptions {
     MethodChoice choice;  ///< Of each method; its name is not used.
     Texels texels;
     PlaneChoice plane;
+    std::filesystem::path pairs;  ///< What a scene shows, as CSV: only that counts; or empty.
     double exposure = 1;          ///< Factor on the values for the natural exposure, > 0.
     std::filesystem::path sheet;  ///< Contact sheet (PNG); empty: none.
     /// Of the images that the sheet shows side by side where there is more than one texel.

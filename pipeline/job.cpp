@@ -192,7 +192,11 @@ SampleSet samplesFor(const Method& method, const SamplePlan& plan, const OpenedI
     }
     const BtfDescription& description = input.description();
     if (method.wish == SampleWish::kSlices) checkElevations(*plan.posterSlices, input);
-    SampleSet samples = chooseSamples(plan, description.grid, method.wish);
+    // Another grid than the database's may not need all of it.
+    SampleSet samples =
+        method.wish == SampleWish::kEverything && output != description.grid
+            ? samplesOfPairs(description.grid, PairInterpolation(description.grid).pairsFor(output))
+            : chooseSamples(plan, description.grid, method.wish);
     const std::vector<std::size_t> missing = missingPairs(samples, description.present);
     if (missing.empty()) return samples;
     if (input.missing == MissingImages::kError) failMissing(missing, input);

@@ -4,6 +4,7 @@
 #include "abrdf/angular_grid.h"
 #include "abrdf/goniometer.h"
 #include "abrdf/output_file.h"
+#include "abrdf/scene_pairs.h"
 #include "pipeline/expected_error.h"
 #include "pipeline/plan_file.h"
 #include "stages/read/btf_reader.h"
@@ -34,11 +35,12 @@ struct Choosable {
     std::string name;
     AngularGrid grid;
     std::vector<LightAndView> candidates = {};  ///< Empty: all pairs of the grid.
+    WatchedPairs watched = {};
 
     std::size_t count() const { return candidates.empty() ? grid.pairCount() : candidates.size(); }
 };
 
-Choosable choosable(const PlanJob& job) {
+Choosable allPairs(const PlanJob& job) {
     if (job.input.empty()) {
         const std::filesystem::path name(job.grid);
         return {name.stem().string(), gridFromName(job.grid)};
@@ -54,6 +56,18 @@ Choosable choosable(const PlanJob& job) {
         }
     }
     if (result.grid.pairCount() > kMostPairs) result.grid = AngularGrid(ubo81Directions());
+    return result;
+}
+
+Choosable choosable(const PlanJob& job) {
+    Choosable result = allPairs(job);
+    if (job.pairs.empty()) {
+        result.watched = watchedPairs(result.grid, job.seed);
+    } else {
+        const ScenePairs scene = scenePairsFromCsv(job.pairs);
+        result.name = scene.name;
+        result.watched = watchedPairs(result.grid, scene.pairs, scene.weights);
+    }
     return result;
 }
 
@@ -81,9 +95,9 @@ Planned pairsOf(const PlanJob& job, const Choosable& from, const ProgressSink& p
                         from.count(), from.name, job.samples));
     }
     const std::size_t materials = materialsFor(job, from.grid.pairCount() + from.candidates.size());
-    const GreedyChoice choice =
-        greedyPairs(conditionedClasses(from.grid, from.candidates, {materials, job.seed}),
-                    {.count = job.samples, .materials = materials, .seed = job.seed}, progress);
+    const GreedyChoice choice = greedyPairs(
+        conditionedClasses(from.grid, from.watched, from.candidates, {materials, job.seed}),
+        {.count = job.samples, .materials = materials, .seed = job.seed}, progress);
     Planned planned{{fmt::format("greedy-{}", from.name), {}, {}},
                     expectedErrorsOf(choice.deviation),
                     from.count()};
@@ -106,7 +120,7 @@ Planned slicesFor(const PlanJob& job, const Choosable& from, const ProgressSink&
     const std::vector<Slice> slices = slicesOf(family);
     std::size_t pairs = from.grid.pairCount();
     for (const Slice& slice : slices) pairs += static_cast<std::size_t>(slice.count);
-    const GreedySlices choice = greedySlices(from.grid, slices,
+    const GreedySlices choice = greedySlices(from.grid, from.watched, slices,
                                              {.count = job.samples,
                                               .materials = materialsFor(job, pairs),
                                               .seed = job.seed,

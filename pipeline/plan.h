@@ -20,6 +20,7 @@ struct PlanJob {
     std::string grid = "ubo81";      ///< Whose pairs may be chosen and are to be reconstructed.
     std::filesystem::path input;     ///< Instead: the images of this database; or empty.
     ReadOptions read;                ///< Of the input.
+    std::filesystem::path pairs;     ///< What a scene shows, as CSV: only that counts; or empty.
     bool continuous = false;         ///< Whole slices that a goniometer sweeps.
     std::vector<double> elevations;  ///< Of the slices, degrees; empty: 15, 30 .. 75.
     double travel = 0;               ///< Of the slices: samples that a full turn counts as.

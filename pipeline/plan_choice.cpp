@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/plan_choice.h"
 
-#include "abrdf/content_hash.h"
-#include "abrdf/output_file.h"
+#include "pipeline/expected_error.h"
+#include "pipeline/greedy_cache.h"
 #include "pipeline/plan_file.h"
-#include "pipeline/prior_cache.h"
 #include "stages/slice/snap_plan.h"
 #include "stages/train/greedy_pairs.h"
 
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <stdexcept>
 
 namespace abrdf {
@@ -48,49 +46,27 @@ bool isUbo81(const std::vector<Direction>& directions) {
            });
 }
 
-/// The numbers that a cached list of pairs holds; empty where it is not one.
-std::vector<std::size_t> cachedPairs(const fs::path& file, const AngularGrid& grid,
-                                     std::size_t count) {
-    std::ifstream stream(file);
-    std::vector<std::size_t> pairs;
-    for (std::size_t pair = 0; stream >> pair && pair < grid.pairCount();) pairs.push_back(pair);
-    if (!stream.eof() || pairs.size() != count) pairs.clear();
-    return pairs;
-}
-
 std::vector<std::size_t> computedGreedyPairs(const AngularGrid& grid, std::size_t count,
                                              std::vector<std::size_t> first,
                                              const ProgressSink& progress,
                                              const MessageSink& warn) {
-    std::string key = "greedy pairs 3";
+    std::string key = "greedy pairs 4";
     for (const LightAndView& pair : pairsOf(grid)) {
         key += fmt::format(" {:.6f} {:.6f} {:.6f} {:.6f}", pair.light.theta, pair.light.phi,
                            pair.view.theta, pair.view.phi);
     }
     key += fmt::format(" {}", count);
-    const auto folder = cacheFolder();
-    const fs::path file =
-        folder ? *folder / fmt::format("greedy-{:016x}", contentHash(key)) : fs::path();
-    if (folder) {
-        std::vector<std::size_t> pairs = cachedPairs(file, grid, count);
-        if (!pairs.empty()) return pairs;
-    }
-    GreedyOptions options;
-    options.count = count;
-    options.first = std::move(first);
-    // A thousand materials on UBO2003's grid; fewer where a grid is so fine that they fill the
-    // memory.
-    options.materials = std::clamp<std::size_t>(1000 * 6561 / grid.pairCount(), 200, 1000);
-    std::vector<std::size_t> pairs = greedyPairs(grid, {}, options, progress).pairs;
-    if (folder) {
-        try {
-            fs::create_directories(*folder);
-            writeWholeFile(file, fmt::format("{}\n", fmt::join(pairs, "\n")));
-        } catch (const std::runtime_error& error) {
-            if (warn) warn(fmt::format("the plan is not kept: {}", error.what()));
-        }
-    }
-    return pairs;
+    const auto choose = [&] {
+        GreedyOptions options;
+        options.count = count;
+        options.first = std::move(first);
+        // A thousand materials on UBO2003's grid; fewer where a grid is so fine that they fill the
+        // memory.
+        options.materials = std::clamp<std::size_t>(1000 * 6561 / grid.pairCount(), 200, 1000);
+        const GreedyChoice choice = greedyPairs(grid, {}, options, progress);
+        return ChosenPairs{choice.pairs, expectedErrorsOf(choice.deviation)};
+    };
+    return cachedChoice(key, count, grid.pairCount(), choose, warn).pairs;
 }
 
 SamplePlan greedyPlan(const PlanName& name, const AngularGrid& measured,

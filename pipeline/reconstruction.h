@@ -4,6 +4,7 @@
 #include "pipeline/job.h"
 #include "pipeline/plan_choice.h"
 #include "pipeline/prior_cache.h"
+#include "pipeline/scene_plan.h"
 
 #include <memory>
 #include <optional>
@@ -31,16 +32,28 @@ struct PlannedMethod {
     const Method* method = nullptr;
     SamplePlan plan;
     SampleSet samples;
-    AngularGrid input;   ///< Where the samples come from.
-    AngularGrid output;  ///< What is to be filled in.
+    AngularGrid input;                 ///< Where the samples come from.
+    AngularGrid output;                ///< What is to be filled in.
+    std::vector<double> weights = {};  ///< How much its pairs matter; empty: all alike.
+    /// Mean CIE 1976 Delta E over what a scene shows, where the plan was chosen for it.
+    std::optional<double> expectedError = {};
 
     /// As headers and reports name the plan.
     std::string planName() const;
 };
 
-/// Throws as planFor() and samplesFor().
+/// A scene of which only some pairs of the output matter.
+struct SceneChoice {
+    SceneOutputs outputs;
+    /// Did the user leave the plan open? Then as few samples are taken as are worthwhile.
+    bool planIsOpen = true;
+};
+
+/// scene: null where all pairs of the output matter alike; else a plan that is left open, or
+/// greedy, is made for the scene. Throws as planFor(), scenePlan() and samplesFor().
 PlannedMethod planMethod(const MethodChoice& choice, const OpenedInput& input,
-                         const AngularGrid& output, const ProgressSink& progress);
+                         const AngularGrid& output, const ProgressSink& progress,
+                         const SceneChoice* scene = nullptr);
 
 /// The mean over all texels of each sample, from the means of the images; a sample that no texel
 /// has valid is that of its nearest valid neighbour.

@@ -57,17 +57,18 @@ struct Errors {
     };
     std::array<Display, 2> shown;
     double stops = 0;
-    double pairs = 0;
+    double weight = 0;
+    std::size_t pairs = 0;
 
-    Errors& operator+=(const Errors& other) {
+    void add(const Errors& other, double factor) {
         for (std::size_t i = 0; i < shown.size(); ++i) {
-            shown[i].deltaE += other.shown[i].deltaE;
-            shown[i].deltaE2000 += other.shown[i].deltaE2000;
-            shown[i].squared += other.shown[i].squared;
+            shown[i].deltaE += factor * other.shown[i].deltaE;
+            shown[i].deltaE2000 += factor * other.shown[i].deltaE2000;
+            shown[i].squared += factor * other.shown[i].squared;
         }
-        stops += other.stops;
+        stops += factor * other.stops;
+        weight += factor * other.weight;
         pairs += other.pairs;
-        return *this;
     }
 };
 
@@ -99,21 +100,26 @@ Errors errorsOf(Rgb truth, Rgb reconstruction, const Shown& shown) {
         errors.shown[i] = displayErrors(truth, reconstruction, shown.exposures[i]);
     }
     errors.stops = stopsOf(truth, reconstruction, shown.offset);
+    errors.weight = 1;
     errors.pairs = 1;
     return errors;
 }
 
-Measures measuresOf(const Errors::Display& sum, double pairs) {
-    const double rmse = std::sqrt(sum.squared / (3 * pairs));
+double weightOf(std::size_t pair, const MeasureOptions& options) {
+    return options.weights.empty() ? 1 : options.weights[pair];
+}
+
+Measures measuresOf(const Errors::Display& sum, double weight) {
+    const double rmse = std::sqrt(sum.squared / (3 * weight));
     // A NaN goes through: it is the first argument of std::max().
-    return {sum.deltaE / pairs, sum.deltaE2000 / pairs, rmse,
+    return {sum.deltaE / weight, sum.deltaE2000 / weight, rmse,
             20 * std::log10(255 / std::max(rmse, kSmallestRmse))};
 }
 
 Accuracy accuracyOf(const Errors& sum) {
-    if (sum.pairs == 0) return {};
-    return {measuresOf(sum.shown[0], sum.pairs), measuresOf(sum.shown[1], sum.pairs),
-            sum.stops / (3 * sum.pairs), static_cast<std::size_t>(sum.pairs)};
+    if (sum.weight <= 0) return {};
+    return {measuresOf(sum.shown[0], sum.weight), measuresOf(sum.shown[1], sum.weight),
+            sum.stops / (3 * sum.weight), sum.pairs};
 }
 
 /// Of texels that have any compared pair, in one order whatever the number of threads.
@@ -123,9 +129,9 @@ TexelMeasures texelMeasures(const std::vector<Errors>& texels) {
     std::vector<float> lackOfPsnr;
     TexelMeasures result;
     for (const Errors& texel : texels) {
-        if (texel.pairs == 0) continue;
-        sum += texel;
-        const Measures natural = measuresOf(texel.shown[0], texel.pairs);
+        if (texel.weight <= 0) continue;
+        sum.add(texel, 1);
+        const Measures natural = measuresOf(texel.shown[0], texel.weight);
         result.deltaE += natural.deltaE;
         result.psnr += natural.psnr;
         if (std::isnan(natural.deltaE)) continue;  // The means are NaN then.
@@ -153,7 +159,8 @@ Accuracy measureAccuracy(std::span<const Rgb> truth, std::span<const Rgb> recons
     Errors sum;
     for (std::size_t pair = 0; pair < truth.size(); ++pair) {
         if ((!mask.empty() && mask[pair] == 0) || !isFinite(truth[pair])) continue;
-        sum += errorsOf(truth[pair], reconstruction[pair], shown);
+        const double weight = weightOf(pair, options);
+        if (weight > 0) sum.add(errorsOf(truth[pair], reconstruction[pair], shown), weight);
     }
     return accuracyOf(sum);
 }
@@ -171,10 +178,11 @@ std::vector<TexelMeasures> measureTexels(const AbrdfTile& truth, const AbrdfTile
     std::vector<std::vector<Errors>> sums(masks.size(), std::vector<Errors>(texels));
     forEachTexelBlock(texels, 1, [&](std::size_t t, std::size_t) {
         for (std::size_t pair = 0; pair < truth.valuesPerTexel(); ++pair) {
-            if (!isFinite(truth[t][pair])) continue;
+            const double weight = weightOf(pair, options);
+            if (!isFinite(truth[t][pair]) || weight <= 0) continue;
             const Errors errors = errorsOf(truth[t][pair], reconstruction[t][pair], shown);
             for (std::size_t m = 0; m < masks.size(); ++m) {
-                if (masks[m][pair] != 0) sums[m][t] += errors;
+                if (masks[m][pair] != 0) sums[m][t].add(errors, weight);
             }
         }
     });

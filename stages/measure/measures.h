@@ -29,6 +29,9 @@ struct Accuracy {
 
 struct MeasureOptions {
     double exposure = 1;  ///< Factor on the values in the natural measures, > 0; unitless.
+    /// How much each pair counts in all means, >= 0; empty: all alike. Quantile and median are of
+    /// the full measurement all the same.
+    std::span<const double> weights = {};
 };
 
 /// Compares the pairs whose mask is not 0; an empty mask means all. Quantile and median are those

@@ -85,13 +85,15 @@ SampleBlocks leaveOutBlocks(const std::vector<LightAndView>& samples) {
 }
 
 std::vector<float> outputShares(const std::vector<LightAndView>& samples,
-                                const std::vector<LightAndView>& outputs) {
-    std::vector<float> shares(samples.size());
-    for (const Near& near : nearestOf(samples, outputs, false)) {
-        shares[static_cast<std::size_t>(near.sample)] += 1;
+                                const std::vector<LightAndView>& outputs,
+                                std::span<const double> weights) {
+    const std::vector<Near> nearest = nearestOf(samples, outputs, false);
+    std::vector<double> shares(samples.size());
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+        shares[static_cast<std::size_t>(nearest[i].sample)] +=
+            weights.empty() ? 1 / static_cast<double>(outputs.size()) : weights[i];
     }
-    for (float& share : shares) share /= static_cast<float>(outputs.size());
-    return shares;
+    return {shares.begin(), shares.end()};
 }
 
 double nearness(const std::vector<LightAndView>& samples, const SampleBlocks& blocks,

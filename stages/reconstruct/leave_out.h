@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <span>
 #include <vector>
 
 namespace abrdf {
@@ -18,9 +19,11 @@ using SampleBlocks = std::vector<std::vector<Eigen::Index>>;
 SampleBlocks leaveOutBlocks(const std::vector<LightAndView>& samples);
 
 /// How many of the outputs each sample is the nearest of, as shares that sum to 1: samples that
-/// were chosen where values are hard to tell speak for few others.
+/// were chosen where values are hard to tell speak for few others. weights: of the outputs, their
+/// sum is 1; empty: all alike.
 std::vector<float> outputShares(const std::vector<LightAndView>& samples,
-                                const std::vector<LightAndView>& outputs);
+                                const std::vector<LightAndView>& outputs,
+                                std::span<const double> weights = {});
 
 /// How much nearer to a sample outputs are than samples outside a block are to those in it, over
 /// all outputs: errors fall about as distances do. In the space of isotropic features, or with the

@@ -14,7 +14,8 @@ struct NestedBasis {
 };
 
 /// rank: how many numbers, 1 .. inputs; with all of them the map itself comes out, but for
-/// rounding.
-NestedBasis nestedBasis(const Eigen::MatrixXf& matrix, const Eigen::MatrixXd& covariance, int rank);
+/// rounding. weights: how much each output matters; empty: all alike.
+NestedBasis nestedBasis(const Eigen::MatrixXf& matrix, const Eigen::MatrixXd& covariance, int rank,
+                        const Eigen::VectorXd& weights = {});
 
 }  // namespace abrdf

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // `measured`: no reconstruction. On the database's own grid its values as they are, on another
-// one their interpolation.
+// one their interpolation. Its samples are all pairs of the database, or those that another grid
+// needs: PairInterpolation::pairsFor().
 #include "abrdf/pair_interpolation.h"
 #include "stages/reconstruct/reconstructor.h"
 
@@ -19,6 +20,7 @@ class Measured : public Reconstructor {
           output_(task.output),
           interpolation_(task.input) {
         if (isSame_) return;
+        if (samples_ < task.input.pairCount()) placeOf_ = interpolation_.pairsFor(task.output);
         for (const Direction& d : output_.lights()) lights_.push_back(interpolation_.lightPlace(d));
         for (const Direction& d : output_.views()) views_.push_back(interpolation_.viewPlace(d));
     }
@@ -27,6 +29,12 @@ class Measured : public Reconstructor {
         if (isSame_) {
             std::ranges::copy(samples, abrdf.begin());
             return;
+        }
+        std::vector<Rgb> placed;
+        if (!placeOf_.empty()) {
+            placed.resize(placeOf_.back() + 1);
+            for (std::size_t k = 0; k < samples_; ++k) placed[placeOf_[k]] = samples[k];
+            samples = placed;
         }
         for (std::size_t pair = 0; pair < abrdf.size(); ++pair) {
             abrdf[pair] = interpolation_.value(lights_[output_.lightOf(pair)],
@@ -54,6 +62,7 @@ class Measured : public Reconstructor {
     bool isSame_;
     AngularGrid output_;
     PairInterpolation interpolation_;
+    std::vector<std::size_t> placeOf_;  ///< Of each sample, its pair; empty: all pairs are there.
     std::vector<PairInterpolation::Place> lights_;  ///< Of each output light; empty: the same grid.
     std::vector<PairInterpolation::Place> views_;
 };

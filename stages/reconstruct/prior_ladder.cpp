@@ -2,6 +2,7 @@
 #include "stages/reconstruct/prior_ladder.h"
 
 #include "abrdf/random.h"
+#include "abrdf/scene_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,8 @@ TexelCodes someOf(const TexelCodes& codes, std::span<const std::size_t> texels,
 
 }  // namespace
 
-std::vector<std::size_t> probesOf(std::size_t pairs) {
+std::vector<std::size_t> probesOf(std::size_t pairs, std::span<const double> weights) {
+    if (!weights.empty()) return spreadByWeight(weights, kProbes);
     const std::size_t count = std::min(kProbes, pairs);
     Random random(kProbeSeed, pairs);
     std::vector<std::size_t> probes;

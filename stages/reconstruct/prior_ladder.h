@@ -10,8 +10,9 @@
 
 namespace abrdf {
 
-/// Outputs at which models are compared, spread evenly over `pairs`.
-std::vector<std::size_t> probesOf(std::size_t pairs);
+/// Outputs at which models are compared, spread evenly over `pairs`, or over their weights where
+/// there are any.
+std::vector<std::size_t> probesOf(std::size_t pairs, std::span<const double> weights = {});
 
 /// What a ladder is made of.
 struct LadderParts {

@@ -230,7 +230,7 @@ void PriorMaterial::buildModel(const PriorModel& model, const ChromaKriging& kri
     for (const LightAndView& sample : model.samples) {
         parts.sampleCosines.push_back(std::cos(sample.light.theta));
     }
-    parts.sampleShares = outputShares(model.samples, whole.pairs);
+    parts.sampleShares = outputShares(model.samples, whole.pairs, options.weights);
     for (const int rank : kLadder) {
         if (hasSteps && rank < most) parts.ranks.push_back(static_cast<std::uint16_t>(rank));
     }
@@ -244,12 +244,14 @@ void PriorMaterial::buildModel(const PriorModel& model, const ChromaKriging& kri
     };
     model_ = TexelModel(basisOf(whole.luminance, whole.chroma), rule_, whole.rowOf, whole.pairs);
     if (most < samples || hasSteps) {
-        const std::vector<std::size_t> probes = probesOf(whole.pairs.size());
+        const std::vector<std::size_t> probes = probesOf(whole.pairs.size(), options.weights);
+        const Eigen::VectorXd weights = rowWeights(whole, options.weights);
         parts.wholeProbes = model_.restricted(probes);
         const int columns = most < samples ? most : std::min(kLadder.back(), samples);
         const NestedBasis luminance =
-            nestedBasis(whole.luminance, covarianceOf(model, terms_), columns);
-        const NestedBasis chroma = nestedBasis(whole.chroma, kriging.covariance(), columns);
+            nestedBasis(whole.luminance, covarianceOf(model, terms_), columns, weights);
+        const NestedBasis chroma =
+            nestedBasis(whole.chroma, kriging.covariance(), columns, weights);
         luminanceProjection_ = PackedMatrix(luminance.projection);
         chromaProjection_ = PackedMatrix(chroma.projection);
         TexelBasis small = basisOf(luminance.basis, chroma.basis);
@@ -262,6 +264,16 @@ void PriorMaterial::buildModel(const PriorModel& model, const ChromaKriging& kri
         parts.probes = model_.restricted(probes);
     }
     ladder_ = PriorLadder(std::move(parts));
+}
+
+/// How much the rows of the maps matter; none where all pairs are alike.
+Eigen::VectorXd PriorMaterial::rowWeights(const Whole& whole, std::span<const double> weights) {
+    Eigen::VectorXd ofRows;
+    if (!weights.empty()) ofRows.setZero(whole.luminance.rows());
+    for (std::size_t pair = 0; pair < weights.size(); ++pair) {
+        ofRows(static_cast<Eigen::Index>(whole.rowOf[pair])) += weights[pair];
+    }
+    return ofRows;
 }
 
 TexelCodes PriorMaterial::projected(const TexelCodes& whole) const {

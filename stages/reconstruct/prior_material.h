@@ -70,6 +70,7 @@ class PriorMaterial {
                     const Eigen::MatrixX3d& colors, const ChromaKriging& kriging) const;
     void buildModel(const PriorModel& model, const ChromaKriging& kriging, Whole whole,
                     const ReconstructOptions& options);
+    static Eigen::VectorXd rowWeights(const Whole& whole, std::span<const double> weights);
     TexelModel leaveOutModel(const PriorModel& model, const ChromaKriging& kriging) const;
     TexelCodes projected(const TexelCodes& whole) const;
     void cutToRanks(const TexelCodes& whole, TexelCodes& codes) const;

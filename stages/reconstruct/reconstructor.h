@@ -29,6 +29,9 @@ struct ReconstructOptions {
     /// estimated error is within it. 0: the whole model.
     double tolerance = 0;
     bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
+    /// How much each output pair matters, their sum is 1; empty: all alike. Ranks and estimated
+    /// errors are meant so.
+    std::vector<double> weights = {};
 };
 
 /// What a method is built from.

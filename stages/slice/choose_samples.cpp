@@ -75,6 +75,13 @@ SampleSet chooseSamples(const SamplePlan& plan, const AngularGrid& grid, SampleW
     return set;
 }
 
+SampleSet samplesOfPairs(const AngularGrid& grid, const std::vector<std::size_t>& pairs) {
+    SampleSet set;
+    for (const std::size_t pair : pairs) addMeasuredPair(set, grid, pair);
+    collectPairs(set);
+    return set;
+}
+
 SampleSet exactSamples(std::vector<LightAndView> directions) {
     SampleSet set;
     set.directions = std::move(directions);

@@ -14,6 +14,9 @@ namespace abrdf {
 /// the pairs.
 SampleSet chooseSamples(const SamplePlan& plan, const AngularGrid& grid, SampleWish wish);
 
+/// Those pairs of a grid, as they are. pairs: ascending.
+SampleSet samplesOfPairs(const AngularGrid& grid, const std::vector<std::size_t>& pairs);
+
 /// Samples of a database that is known everywhere, exactly where they are wanted: "pair" k is
 /// sample k.
 SampleSet exactSamples(std::vector<LightAndView> directions);

@@ -4,6 +4,7 @@
 #include "abrdf/discrepancy_kernel.h"
 #include "abrdf/for_each_texel.h"
 #include "abrdf/portable_math.h"
+#include "abrdf/scene_pairs.h"
 #include "stages/train/random_material.h"
 #include "stages/train/training_values.h"
 
@@ -132,6 +133,26 @@ WatchedPairs watchedPairs(const AngularGrid& grid, std::uint64_t seed) {
     return watched;
 }
 
+WatchedPairs watchedPairs(const AngularGrid& grid, const std::vector<LightAndView>& scene,
+                          std::span<const double> weights) {
+    WatchedPairs watched;
+    std::vector<double> shares;
+    const auto watch = [&](std::size_t pair, double share) {
+        watched.pairs.push_back(
+            static_cast<Eigen::Index>(grid.pairCount() + watched.others.size()));
+        watched.others.push_back(scene[pair]);
+        shares.push_back(share);
+    };
+    if (scene.size() <= kOutputs) {
+        for (std::size_t i = 0; i < scene.size(); ++i) watch(i, weights[i]);
+    } else {
+        for (const std::size_t i : spreadByWeight(weights, kOutputs)) watch(i, 1.0 / kOutputs);
+    }
+    watched.share =
+        Eigen::Map<Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
+    return watched;
+}
+
 ConditionedClass::ConditionedClass(MaterialClass materialClass, const AngularGrid& grid,
                                    const WatchedPairs& watched,
                                    std::vector<LightAndView> candidates,
@@ -139,23 +160,24 @@ ConditionedClass::ConditionedClass(MaterialClass materialClass, const AngularGri
     : materialClass_(materialClass), candidates_(std::move(candidates)) {
     // The grid's pairs come first: what a material's body and highlight are is told by them.
     std::vector<LightAndView> all = pairsOf(grid);
+    const auto gridPairs = static_cast<Eigen::Index>(all.size());
+    all.insert(all.end(), watched.others.begin(), watched.others.end());
     const Eigen::Index firstCandidate =
         candidates_.empty() ? 0 : static_cast<Eigen::Index>(all.size());
     if (candidates_.empty()) {
-        candidates_ = all;
+        candidates_.assign(all.begin(), all.begin() + gridPairs);
     } else {
         all.insert(all.end(), candidates_.begin(), candidates_.end());
     }
-    pairs_ = static_cast<double>(grid.pairCount());
+    pairs_ = watched.share.sum();
     const Eigen::MatrixXf values = valuesOfClass(materialClass, all, options);
-    const Eigen::VectorXd highlight =
-        quantileOfColumns(values.topRows(static_cast<Eigen::Index>(grid.pairCount())), 0.995);
+    const Eigen::VectorXd highlight = quantileOfColumns(values.topRows(gridPairs), 0.995);
     const Eigen::MatrixXf logs = logarithms(values, highlight, grid);
     const Eigen::VectorXd weight = weights(values, highlight, watched);
     const auto count = static_cast<float>(logs.rows());
     const Eigen::MatrixXf watchedLogs =
         logs(Eigen::all, watched.pairs) * weight.cast<float>().asDiagonal();
-    logs_ = logs.rightCols(logs.cols() - firstCandidate);
+    logs_ = logs.middleCols(firstCandidate, static_cast<Eigen::Index>(candidates_.size()));
     std::vector<LightAndView> watchedAt;
     for (const Eigen::Index i : watched.pairs)
         watchedAt.push_back(all[static_cast<std::size_t>(i)]);
@@ -266,7 +288,13 @@ Uncertainty uncertaintyOf(std::span<const ConditionedClass> classes) {
 std::vector<ConditionedClass> conditionedClasses(const AngularGrid& grid,
                                                  const std::vector<LightAndView>& candidates,
                                                  const ConditionOptions& options) {
-    const WatchedPairs watched = watchedPairs(grid, options.seed);
+    return conditionedClasses(grid, watchedPairs(grid, options.seed), candidates, options);
+}
+
+std::vector<ConditionedClass> conditionedClasses(const AngularGrid& grid,
+                                                 const WatchedPairs& watched,
+                                                 const std::vector<LightAndView>& candidates,
+                                                 const ConditionOptions& options) {
     std::vector<ConditionedClass> classes;
     for (const MaterialClass materialClass : kMaterialClasses) {
         classes.emplace_back(materialClass, grid, watched, candidates, options);

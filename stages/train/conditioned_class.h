@@ -14,12 +14,20 @@
 
 namespace abrdf {
 
-/// Pairs of a grid whose uncertainty is watched: all mirrors, and a random choice of the others.
+/// Pairs whose uncertainty is watched.
 struct WatchedPairs {
-    std::vector<Eigen::Index> pairs;  ///< Of the grid.
-    Eigen::VectorXd share;            ///< How many pairs each of them stands for.
+    std::vector<Eigen::Index> pairs;        ///< Of the grid; those after its own, of `others`.
+    Eigen::VectorXd share;                  ///< How many pairs each of them stands for.
+    std::vector<LightAndView> others = {};  ///< Off the grid.
 };
+
+/// All mirrors of the grid, and a random choice of the others.
 WatchedPairs watchedPairs(const AngularGrid& grid, std::uint64_t seed);
+
+/// Those that a scene shows, or where they are many a choice by their weights. weights: of each
+/// pair, their sum is 1.
+WatchedPairs watchedPairs(const AngularGrid& grid, const std::vector<LightAndView>& scene,
+                          std::span<const double> weights);
 
 struct ConditionOptions {
     std::size_t materials = 1000;  ///< Random materials of the class, >= 2.
@@ -60,7 +68,7 @@ class ConditionedClass {
     /// What is left of the weighted variance, 1 .. 0.
     double shareLeft() const;
 
-    /// The same as a mean over the grid's pairs, in L* squared.
+    /// The same as a mean over the pairs that the watched ones stand for, in L* squared.
     double varianceLeft() const;
 
   private:
@@ -72,7 +80,7 @@ class ConditionedClass {
     Eigen::MatrixXf logs_;        ///< Material, candidate.
     Eigen::MatrixXf covariance_;  ///< Watched pair (weighted), candidate.
     Eigen::VectorXd variance_;    ///< Of each candidate.
-    double pairs_ = 0;            ///< Of the grid.
+    double pairs_ = 0;            ///< That the watched ones stand for.
     double total_ = 0;            ///< Weighted variance of the watched pairs at first ...
     double left_ = 0;             ///< ... and now.
     std::vector<Downdate> chosen_;
@@ -86,6 +94,12 @@ struct Uncertainty {
 Uncertainty uncertaintyOf(std::span<const ConditionedClass> classes);
 
 /// All classes over the same pairs.
+std::vector<ConditionedClass> conditionedClasses(const AngularGrid& grid,
+                                                 const WatchedPairs& watched,
+                                                 const std::vector<LightAndView>& candidates,
+                                                 const ConditionOptions& options);
+
+/// The same, watching watchedPairs(grid).
 std::vector<ConditionedClass> conditionedClasses(const AngularGrid& grid,
                                                  const std::vector<LightAndView>& candidates,
                                                  const ConditionOptions& options);

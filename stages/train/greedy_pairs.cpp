@@ -46,11 +46,17 @@ GreedyChoice chosen(std::vector<ConditionedClass> classes, Eigen::VectorXd allow
 
 GreedyChoice greedyPairs(const AngularGrid& grid, std::span<const std::size_t> candidates,
                          const GreedyOptions& options, const ProgressSink& progress) {
+    return greedyPairs(grid, candidates, watchedPairs(grid, options.seed), options, progress);
+}
+
+GreedyChoice greedyPairs(const AngularGrid& grid, std::span<const std::size_t> candidates,
+                         const WatchedPairs& watched, const GreedyOptions& options,
+                         const ProgressSink& progress) {
     checkCount(options, candidates.empty() ? grid.pairCount() : candidates.size());
     const auto pairs = static_cast<Eigen::Index>(grid.pairCount());
     Eigen::VectorXd allowed = Eigen::VectorXd::Constant(pairs, candidates.empty() ? 1 : 0);
     for (const std::size_t pair : candidates) allowed(static_cast<Eigen::Index>(pair)) = 1;
-    return chosen(conditionedClasses(grid, {}, {options.materials, options.seed}),
+    return chosen(conditionedClasses(grid, watched, {}, {options.materials, options.seed}),
                   std::move(allowed), options, progress);
 }
 

@@ -36,6 +36,11 @@ struct GreedyChoice {
 GreedyChoice greedyPairs(const AngularGrid& grid, std::span<const std::size_t> candidates,
                          const GreedyOptions& options, const ProgressSink& progress);
 
+/// The same where other pairs are watched than those of the grid.
+GreedyChoice greedyPairs(const AngularGrid& grid, std::span<const std::size_t> candidates,
+                         const WatchedPairs& watched, const GreedyOptions& options,
+                         const ProgressSink& progress);
+
 /// The same among the candidates of `classes`, which have their materials already: `pairs` of the
 /// result, and options.first, count these candidates.
 GreedyChoice greedyPairs(std::vector<ConditionedClass> classes, const GreedyOptions& options,

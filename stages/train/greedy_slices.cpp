@@ -129,9 +129,15 @@ std::vector<Slice> slicesOf(const SliceFamily& family) {
 
 GreedySlices greedySlices(const AngularGrid& grid, const std::vector<Slice>& slices,
                           const GreedySliceOptions& options, const ProgressSink& progress) {
+    return greedySlices(grid, watchedPairs(grid, options.seed), slices, options, progress);
+}
+
+GreedySlices greedySlices(const AngularGrid& grid, const WatchedPairs& watched,
+                          const std::vector<Slice>& slices, const GreedySliceOptions& options,
+                          const ProgressSink& progress) {
     const SliceSamples samples(slices);
     std::vector<ConditionedClass> classes =
-        conditionedClasses(grid, samples.pairs, {options.materials, options.seed});
+        conditionedClasses(grid, watched, samples.pairs, {options.materials, options.seed});
     GreedySlices choice;
     if (options.free) {
         const GreedyChoice free =

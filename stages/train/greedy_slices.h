@@ -4,6 +4,7 @@
 #include "abrdf/angular_grid.h"
 #include "abrdf/progress.h"
 #include "abrdf/slice.h"
+#include "stages/train/conditioned_class.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,11 @@ struct GreedySlices {
 /// options.count. Cost: its samples, and its travel with the way from the nearest slice chosen.
 /// The same choice for any number of threads. Ticks: phase "plan", unit "samples".
 /// Throws std::invalid_argument where not even one has room; Cancelled.
+GreedySlices greedySlices(const AngularGrid& grid, const WatchedPairs& watched,
+                          const std::vector<Slice>& slices, const GreedySliceOptions& options,
+                          const ProgressSink& progress);
+
+/// The same, watching watchedPairs(grid).
 GreedySlices greedySlices(const AngularGrid& grid, const std::vector<Slice>& slices,
                           const GreedySliceOptions& options, const ProgressSink& progress);
 

@@ -84,6 +84,30 @@ TEST_CASE("where the cosine is not in the values, they are held as they are") {
     CHECK(values[2].r == material({{kMax, 1}, {0, 0}}).r);
 }
 
+TEST_CASE("weights of the outer grid reach the pairs that it is made of") {
+    const AngularGrid outer({{0.2, 0}, {radiansFromDegrees(85), 1}}, {{0.3, 0}, {0.4, 0}});
+    const std::vector<double> weights = {0.1, 0.2, 0.3, 0.4};
+    const GrazingMap map(outer, kMax, Grazing::kHold, Cosine::kDivided);
+    const std::vector<double> inner = map.innerWeights(weights);
+    REQUIRE(inner.size() == map.inner().pairCount());
+    // The adjoint of apply().
+    std::vector<Rgb> values(inner.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i].r = static_cast<float>(i + 1);
+    std::vector<Rgb> made(weights.size());
+    map.apply(values, made);
+    double ofInner = 0;
+    double ofOuter = 0;
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        ofInner += inner[i] * static_cast<double>(values[i].r);
+    }
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        ofOuter += weights[i] * static_cast<double>(made[i].r);
+    }
+    CHECK(ofInner == doctest::Approx(ofOuter));
+    const GrazingMap same(AngularGrid({{0.2, 0}}, {{0.3, 0}}), kMax, Grazing::kHold, Cosine::kKept);
+    CHECK(same.innerWeights(std::vector<double>{1}) == std::vector<double>{1});
+}
+
 TEST_CASE("names of the policies are understood, and no others") {
     for (const char* name : {"hold", "fade", "extrapolate"}) {
         CHECK(nameOf(grazingFromName(name)) == name);

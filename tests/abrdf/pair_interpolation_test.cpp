@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 using namespace abrdf;
 
 namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 using Material = std::function<double(const LightAndView&)>;
 
@@ -201,6 +204,24 @@ TEST_CASE("lists without rings, or without a pole, are interpolated without a st
               doctest::Approx(interpolation.value({{0, 3}, {0.3, 1}}, values).r));
         CHECK(interpolation.value(grid.pair(70), values) == values[70]);
     }
+}
+
+TEST_CASE("values at another grid depend on the pairs that it is said to need, and on no others") {
+    const AngularGrid grid(ubo81Directions());
+    const PairInterpolation interpolation(grid);
+    const AngularGrid targets({{radiansFromDegrees(30), 0}, {0.5, 0.4}}, {{0.7, 2}, {0, 0}});
+    const std::vector<std::size_t> needed = interpolation.pairsFor(targets);
+    CHECK(needed.size() < grid.pairCount() / 20);
+    const std::vector<Rgb> all = sampled(grid, highlight);
+    std::vector<Rgb> some(all.size(), Rgb{kNan, kNan, kNan});
+    for (const std::size_t pair : needed) some[pair] = all[pair];
+    for (const LightAndView& pair : pairsOf(targets)) {
+        CHECK(interpolation.value(pair, some) == interpolation.value(pair, all));
+    }
+    // At a pair of the grid it alone is needed.
+    const AngularGrid one({grid.lights()[7]}, {grid.views()[9]});
+    CHECK(interpolation.pairsFor(one) == std::vector<std::size_t>{grid.pairIndex(7, 9)});
+    CHECK(interpolation.pairsFor(grid).size() == grid.pairCount());
 }
 
 TEST_SUITE_END();

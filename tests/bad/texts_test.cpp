@@ -44,6 +44,11 @@ BadInput grid(const std::string& what, const std::string& text, const std::strin
                     "convert stack -o out.exr --method measured --grid grid.csv", 1, says);
 }
 
+BadInput scene(const std::string& what, const std::string& text, const std::string& says) {
+    return withText(what, "arc.csv", text,
+                    "convert stack -o out.exr --method measured --pairs arc.csv", 1, says);
+}
+
 BadInput option(const std::string& words, int status, const std::string& says) {
     return withText(words, "a.txt", "", "convert stack -o out.exr --method measured " + words,
                     status, says);
@@ -125,6 +130,12 @@ TEST_CASE("bad input: plans and grids") {
         plan("100001 samples", many + "]\n", "holds 100001 samples"),
         plan("rubbish in CSV", "0,0,0,0\n0,0,zero,0\n", "plan.csv:2: .* is not a row", "plan.csv"),
         plan("NaN in CSV", "nan,0,0,0\n", "is not a row", "plan.csv"),
+        scene("a scene of no pairs", "theta_i,phi_i,theta_v,phi_v,weight\n", "holds no pair"),
+        scene("weights that sum to 0", "30,0,0,0,0\n20,0,0,0,0\n", "arc.csv.* sum to 0"),
+        scene("a light below the horizon", "30,0,0,0\n91,0,0,0\n", "arc.csv:2: theta 91 degrees"),
+        scene("a view of NaN", "30,0,nan,0\n", "arc.csv:1: .*is not a row"),
+        scene("a weight below 0", "30,0,0,0,-2\n", "arc.csv:1: the weight -2"),
+        scene("three numbers", "30,0,0\n", "is not a row"),
         grid("an empty grid", "", "holds no theta_deg,phi_deg row"),
         grid("a grid of NaN", "nan,0\n", "is not a row"),
         grid("a grid of one column", "10\n", "is not a row"),

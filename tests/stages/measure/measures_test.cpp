@@ -230,4 +230,32 @@ TEST_SUITE("threads") {
     }
 }
 
+TEST_CASE("a pair of weight two counts as two pairs, one of weight zero as none") {
+    const std::vector<Rgb> truth = ramp(6, 0.9F);
+    const std::vector<Rgb> other = ramp(6, 0.5F);
+    const std::vector<double> weights = {0, 2, 1, 0, 1, 2};
+    std::vector<Rgb> manyTruth;
+    std::vector<Rgb> manyOther;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        for (int k = 0; k < static_cast<int>(weights[i]); ++k) {
+            manyTruth.push_back(truth[i]);
+            manyOther.push_back(other[i]);
+        }
+    }
+    const Accuracy weighed = measureAccuracy(truth, other, {}, {1, weights});
+    const Accuracy many = measureAccuracy(manyTruth, manyOther, {}, {1});
+    CHECK(weighed.natural.deltaE == doctest::Approx(many.natural.deltaE));
+    CHECK(weighed.natural.psnr == doctest::Approx(many.natural.psnr));
+    CHECK(weighed.pairs == 4);
+    AbrdfTile truths(1, truth.size());
+    AbrdfTile others(1, truth.size());
+    std::ranges::copy(truth, truths[0].begin());
+    std::ranges::copy(other, others[0].begin());
+    const std::vector<std::vector<std::uint8_t>> masks = {{1, 1, 1, 1, 1, 1}, {1, 0, 0, 1, 0, 0}};
+    const auto texels = measureTexels(truths, others, masks, {1, weights});
+    CHECK(texels[0].accuracy.natural.deltaE == doctest::Approx(weighed.natural.deltaE));
+    CHECK(texels[1].accuracy.natural.deltaE == 0);  // All that it holds weighs nothing.
+    CHECK(texels[1].accuracy.pairs == 0);
+}
+
 }  // namespace abrdf

@@ -294,6 +294,44 @@ TEST_CASE("basis and projection of full rank are the map, and the first numbers 
     }
 }
 
+TEST_CASE("where few outputs matter, as many numbers as those are give these exactly") {
+    Random random(4);
+    Eigen::MatrixXf matrix(40, 9);
+    for (float& x : matrix.reshaped()) x = static_cast<float>(random.uniform(-1, 1));
+    const Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(9, 9);
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(40);
+    weights(3) = 0.7;
+    weights(20) = 0.2;
+    weights(39) = 0.1;
+    const NestedBasis few = nestedBasis(matrix, covariance, 3, weights);
+    const Eigen::MatrixXf made = few.basis * few.projection;
+    for (const Eigen::Index row : {3, 20, 39}) {
+        CHECK((made.row(row) - matrix.row(row)).norm() < 1e-4F);
+    }
+    CHECK((made - matrix).norm() > 1);
+    const NestedBasis even = nestedBasis(matrix, covariance, 3, Eigen::VectorXd::Ones(40));
+    const NestedBasis plain = nestedBasis(matrix, covariance, 3);
+    CHECK((even.basis * even.projection - plain.basis * plain.projection).norm() < 1e-3F);
+}
+
+TEST_CASE("ranks and bounds are meant of the outputs that matter") {
+    const std::vector<Rgb> samples = smallPrior().samplesOf(plastic);
+    const PriorModel& model = *smallPrior().model;
+    std::vector<double> weights(rows().size(), 0);
+    weights[5] = 1;
+    float bound = 0;
+    const auto rankOf = [&](double tolerance, const std::vector<double>& of) {
+        ReconstructOptions options{.centered = false, .tolerance = tolerance};
+        options.weights = of;
+        return PriorMaterial(model, rows(), samples, options).encode(samples, {&bound, 1}).ranks[0];
+    };
+    CHECK(rankOf(8, weights) <= rankOf(8, {}));
+    const std::vector<float> shares =
+        outputShares(model.samples, pairsOf(smallPrior().grid), weights);
+    CHECK(std::accumulate(shares.begin(), shares.end(), 0.0F) == doctest::Approx(1));
+    CHECK(std::ranges::count(shares, 0.0F) == std::ssize(shares) - 1);
+}
+
 TEST_CASE("a tolerance takes smaller models the larger it is, and its bound grows with them") {
     const std::vector<Rgb> samples = smallPrior().samplesOf(plastic);
     const PriorModel& model = *smallPrior().model;

@@ -33,6 +33,42 @@ TEST_CASE("pairs are chosen once each, a shorter plan is a prefix, and uncertain
     CHECK(longer.variance.back() < 0.5 * longer.variance.front());
 }
 
+TEST_CASE("where one pair is watched, off the grid, the nearest ones are chosen for it") {
+    const LightAndView wanted = {{0.62, 1.1}, {0.7, 5.8}};
+    const WatchedPairs watched =
+        watchedPairs(smallGrid(), {wanted, {{0.1, 0}, {0.2, 0}}}, std::vector<double>{1, 0});
+    const GreedyChoice choice =
+        greedyPairs(smallGrid(), {}, watched, {.count = 6, .materials = 40}, {});
+    std::vector<double> distances;
+    for (const LightAndView& pair : pairsOf(smallGrid())) {
+        distances.push_back(squaredDistance(pair, wanted));
+    }
+    std::ranges::sort(distances);
+    // The first is among the nearest tenth, and much is known after six.
+    const double first = squaredDistance(smallGrid().pair(choice.pairs[0]), wanted);
+    CHECK(first <= distances[distances.size() / 10]);
+    // What pairs that were chosen for the whole grid leave open there.
+    const GreedyChoice whole = greedyPairs(smallGrid(), {}, {.count = 6, .materials = 40}, {});
+    const GreedyChoice other = greedyPairs(smallGrid(), {}, watched,
+                                           {.count = 6, .materials = 40, .first = whole.pairs}, {});
+    CHECK(choice.variance.back() < other.variance.back());
+}
+
+TEST_CASE("a scene of many pairs is watched at some of them, by weight") {
+    std::vector<LightAndView> scene(3000, {{0.3, 0}, {0.4, 0}});
+    std::vector<double> weights(3000, 0.5 / 2999);
+    scene[17] = {{0.5, 0}, {0.6, 0}};
+    weights[17] = 0.5;
+    const WatchedPairs watched = watchedPairs(smallGrid(), scene, weights);
+    CHECK(watched.others.size() < 2000);
+    CHECK(watched.share.sum() == doctest::Approx(1));
+    double own = 0;
+    for (std::size_t i = 0; i < watched.others.size(); ++i) {
+        if (watched.others[i] == scene[17]) own += watched.share(static_cast<Eigen::Index>(i));
+    }
+    CHECK(own == doctest::Approx(0.5).epsilon(0.01));
+}
+
 TEST_CASE("a plan goes on from pairs that are given, and keeps to its candidates") {
     const std::vector<std::size_t> candidates = {3, 40, 41, 90, 91, 120, 200};
     const GreedyChoice choice =
