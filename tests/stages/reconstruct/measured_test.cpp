@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/for_each_texel.h"
+#include "abrdf/pair_interpolation.h"
 #include "stages/reconstruct/reconstructor.h"
+#include "stages/slice/choose_samples.h"
 
 #include <doctest/doctest.h>
 
@@ -11,12 +13,21 @@ using namespace abrdf;
 
 namespace {
 
+/// values: of all pairs of the input, of which the samples are.
 std::vector<Rgb> measured(const AngularGrid& input, const AngularGrid& output,
-                          const std::vector<Rgb>& samples) {
-    const auto reconstructor = methodFromName("measured").make({SlicePlan(), {}, input, output});
+                          const SampleSet& samples, const std::vector<Rgb>& values) {
+    const auto reconstructor =
+        methodFromName("measured").make({SlicePlan(), samples, input, output});
+    std::vector<Rgb> own;
+    for (const std::size_t pair : samples.pairs) own.push_back(values[pair]);
     std::vector<Rgb> abrdf(output.pairCount());
-    reconstructor->reconstruct(samples, abrdf);
+    reconstructor->reconstruct(own, abrdf);
     return abrdf;
+}
+
+std::vector<Rgb> measured(const AngularGrid& input, const AngularGrid& output,
+                          const std::vector<Rgb>& values) {
+    return measured(input, output, chooseSamples({}, input, SampleWish::kEverything), values);
 }
 
 Rgb materialAt(const LightAndView& p) {
@@ -49,6 +60,14 @@ TEST_CASE("measured on a part of its grid is exact there") {
     for (std::size_t i = 0; i < part.pairCount(); ++i) {
         CHECK(abrdf[i].r == doctest::Approx(materialAt(part.pair(i)).r).epsilon(1e-5));
     }
+}
+
+TEST_CASE("from the pairs that another grid needs it makes what it makes of all") {
+    const AngularGrid grid(ubo81Directions());
+    const AngularGrid other({{0.5, 1}, {0.9, 4}}, {{0.3, 2}, {0, 0}, {1.1, 5}});
+    const SampleSet some = samplesOfPairs(grid, PairInterpolation(grid).pairsFor(other));
+    CHECK(some.count() < 1000);
+    CHECK(measured(grid, other, some, materialOn(grid)) == measured(grid, other, materialOn(grid)));
 }
 
 TEST_CASE("measured on any grid keeps constants, and a smooth material to half a percent") {
