@@ -21,12 +21,22 @@ LockFile::LockFile(const std::filesystem::path& path) {
             throw std::runtime_error(
                 fmt::format("{}: {}", path.string(), systemFault("cannot be created", errno)));
         }
-        const bool isOthers = flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        int held = 0;
+        do {
+            held = flock(file_, LOCK_EX | LOCK_NB);
+        } while (held != 0 && errno == EINTR);
+        const bool isOthers = held != 0 && errno == EWOULDBLOCK;
+        if (held != 0 && !isOthers) {
+            const int error = errno;
+            close(file_);
+            throw std::runtime_error(
+                fmt::format("{}: {}", path.string(), systemFault("cannot be locked", error)));
+        }
         // Its holder may have removed it between the two calls.
         struct stat opened {};
         struct stat named {};
         if (!isOthers && fstat(file_, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
-            opened.st_ino == named.st_ino) {
+            opened.st_ino == named.st_ino && opened.st_dev == named.st_dev) {
             return;
         }
         close(file_);

@@ -80,6 +80,9 @@ PlaneChoice planeFrom(const PlaneOptions& options);
 void addPageOptions(CLI::App& command, PageOptions& options);
 int deliverPage(nlohmann::ordered_json report, const SharedOptions& shared);
 
+/// Flushes standard output; throws std::runtime_error where it did not take all that was printed.
+void checkStandardOutput();
+
 /// Prints `report` on stdout as JSON where --json was given, else `text`, and writes --report.
 void deliver(const nlohmann::ordered_json& report, const std::string& text,
              const SharedOptions& shared);

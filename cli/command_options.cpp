@@ -134,12 +134,16 @@ PlaneChoice planeFrom(const PlaneOptions& options) {
     return choice;
 }
 
+void checkStandardOutput() {
+    if (!std::cout.flush()) throw std::runtime_error("standard output cannot be written");
+}
+
 void deliver(const nlohmann::ordered_json& report, const std::string& text,
              const SharedOptions& shared) {
     const std::string json = jsonText(report, 2);
     if (!shared.report.empty()) writeWholeFile(shared.report, json + "\n");
-    std::cout << (shared.json ? json + "\n" : text) << std::flush;
-    if (!std::cout) throw std::runtime_error("standard output cannot be written");
+    std::cout << (shared.json ? json + "\n" : text);
+    checkStandardOutput();
 }
 
 }  // namespace abrdf

@@ -27,8 +27,8 @@ void addDescribe(CLI::App& app, RunCommand& runCommand) {
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
     command->callback([form, &app, &runCommand] {
         runCommand = [form, &app](const SharedOptions&, const ProgressSink&) {
-            std::cout << descriptionAs(*form, app) << std::flush;
-            if (!std::cout) throw std::runtime_error("standard output cannot be written");
+            std::cout << descriptionAs(*form, app);
+            checkStandardOutput();
             return 0;
         };
     });

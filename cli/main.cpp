@@ -97,7 +97,13 @@ int runChosen(const abrdf::RunCommand& run, SharedOptions& shared) {
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
     const abrdf::ThreadLimit limit(shared.threads);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        // What a parent wants ignored, as nohup does, stays so.
+        struct sigaction inherited {};
+        sigaction(signal, nullptr, &inherited);
+        if (inherited.sa_handler != SIG_IGN) std::signal(signal, onSignal);
+    }
+    std::signal(SIGCHLD, SIG_DFL);  // Ignored, children would leave no status.
     // As errors of the write that meets them, they leave no half file behind.
     for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
     return run(shared, abrdf::makeProgressDisplay(style));
@@ -134,7 +140,9 @@ int runProgram(std::vector<std::string> words) {
         std::reverse(words.begin(), words.end());  // CLI11 takes its arguments from the back.
         app.parse(words);
     } catch (const CLI::Success& success) {
-        return app.exit(success);
+        app.exit(success);
+        abrdf::checkStandardOutput();
+        return 0;
     } catch (const CLI::ParseError& error) {
         std::cerr << fmt::format("abrdf: {}{}\n", abrdf::printable(error.what()),
                                  abrdf::suggestion(app, words));
@@ -142,6 +150,7 @@ int runProgram(std::vector<std::string> words) {
     }
     if (listMethods) {
         std::cout << methodList();
+        abrdf::checkStandardOutput();
         return 0;
     }
     if (!run) {
@@ -154,8 +163,7 @@ int runProgram(std::vector<std::string> words) {
 
 constexpr const char* kNoMemory =
     "there is not enough memory for this job; give it less --memory to keep within, fewer "
-    "--threads "
-    "or fewer --texels";
+    "--threads or fewer --texels";
 
 /// Whether the system gave no memory, or no thread, which takes some. TBB says the latter in words.
 bool isLackOfMemory(const std::exception& error) {
@@ -166,12 +174,18 @@ bool isLackOfMemory(const std::exception& error) {
            std::string_view(error.what()).starts_with("pthread_create");
 }
 
+void sayFailed(const std::exception& error) {
+    std::cerr << "abrdf: "
+              << (isLackOfMemory(error) ? std::string(kNoMemory) : abrdf::printable(error.what()))
+              << "\n";
+}
+
 /// Where an exception has nobody to catch it, as in the libraries' own threads.
 [[noreturn]] void onTerminate() {
     try {
         if (std::current_exception()) std::rethrow_exception(std::current_exception());
     } catch (const std::exception& error) {
-        std::cerr << "abrdf: " << (isLackOfMemory(error) ? kNoMemory : error.what()) << "\n";
+        sayFailed(error);
         std::_Exit(kFailed);
     } catch (...) {
     }
@@ -191,10 +205,7 @@ int statusOf(int argc, char** argv) {
         std::cerr << "abrdf: " << abrdf::printable(error.what()) << "\n";
         return kWrongUsage;
     } catch (const std::exception& error) {
-        std::cerr << "abrdf: "
-                  << (isLackOfMemory(error) ? std::string(kNoMemory)
-                                            : abrdf::printable(error.what()))
-                  << "\n";
+        sayFailed(error);
     }
     return kFailed;
 }

@@ -71,6 +71,13 @@ class Batch {
                       std::max<std::size_t>(1, own_.size())});
     }
 
+    /// All are asked to end before any is waited for.
+    ~Batch() {
+        for (const Running& running : running_) running.process.askToEnd();
+    }
+    Batch(const Batch&) = delete;
+    Batch& operator=(const Batch&) = delete;
+
     ordered_json run() {
         const auto start = Clock::now();
         while (next_ < own_.size() || !running_.empty()) {
@@ -86,6 +93,7 @@ class Batch {
   private:
     struct Running {
         std::size_t item;
+        int slot;  ///< Its share of the threads.
         Clock::time_point start;
         ChildProcess process;
     };
@@ -101,16 +109,23 @@ class Batch {
         if (const fs::path folder = fs::path(item.output).parent_path(); !folder.empty()) {
             fs::create_directories(folder);
         }
-        // The first ones take the threads that do not divide.
+        // The first slots take the threads that do not divide.
         const auto slots = static_cast<int>(atOnce_);
-        const int extra = static_cast<int>(next_) % slots < options_.threads % slots ? 1 : 0;
+        const int slot = freeSlot();
+        const int extra = slot < options_.threads % slots ? 1 : 0;
         std::vector<std::string> words = {options_.program.string(), "convert"};
         words.insert(words.end(), item.words.begin(), item.words.end());
         words.insert(words.end(), {fmt::format("--threads={}", options_.threads / slots + extra),
                                    fmt::format("--memory={}K", options_.memory / atOnce_ / 1024),
                                    "--progress=none", "--json"});
-        running_.push_back({own_[next_], Clock::now(), ChildProcess(words)});
+        running_.push_back({own_[next_], slot, Clock::now(), ChildProcess(words)});
         ++next_;
+    }
+
+    int freeSlot() const {
+        int slot = 0;
+        while (std::ranges::count(running_, slot, &Running::slot) > 0) ++slot;
+        return slot;
     }
 
     bool endSome() {

@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
@@ -27,8 +29,15 @@ int memoryFile(const char* name) {
 std::string contentsOf(int file) {
     const off_t size = lseek(file, 0, SEEK_END);
     std::string text(static_cast<std::size_t>(std::max<off_t>(0, size)), '\0');
-    const ssize_t count = pread(file, text.data(), text.size(), 0);
-    text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+    std::size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t count =
+            pread(file, text.data() + done, text.size() - done, static_cast<off_t>(done));
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    text.resize(done);
     return text;
 }
 
@@ -60,17 +69,26 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
 
 ChildProcess::~ChildProcess() {
     if (process_ > 0) {
-        kill(process_, SIGTERM);
-        waitpid(process_, nullptr, 0);
+        askToEnd();
+        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
     }
     if (out_ >= 0) close(out_);
     if (err_ >= 0) close(err_);
 }
 
+void ChildProcess::askToEnd() const {
+    if (process_ > 0) kill(process_, SIGTERM);
+}
+
 std::optional<ChildProcess::Ended> ChildProcess::poll() {
     int status = 0;
-    if (waitpid(process_, &status, WNOHANG) != process_) return {};
+    const pid_t ended = waitpid(process_, &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR)) return {};
     process_ = -1;
+    if (ended < 0) {
+        throw std::runtime_error(
+            fmt::format("a child's end cannot be waited for: {}", std::strerror(errno)));
+    }
     return Ended{WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
                  contentsOf(out_), contentsOf(err_)};
 }

@@ -28,8 +28,11 @@ class ChildProcess {
         std::string err;
     };
 
-    /// Nothing while it runs.
+    /// Nothing while it runs. Throws std::runtime_error where the system lost it.
     std::optional<Ended> poll();
+
+    /// SIGTERM, without waiting for it.
+    void askToEnd() const;
 
   private:
     pid_t process_ = -1;

@@ -103,8 +103,10 @@ SharedFile::SharedFile(const std::filesystem::path& path)
     : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     struct stat state {};
     if (descriptor_ < 0 || fstat(descriptor_, &state) != 0) {
+        const int error = errno;
+        if (descriptor_ >= 0) ::close(descriptor_);
         throw std::runtime_error(
-            fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
+            fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(error)));
     }
     size_ = static_cast<std::uint64_t>(state.st_size);
 }
@@ -114,7 +116,10 @@ SharedFile::~SharedFile() {
 }
 
 std::int64_t SharedFile::read(std::uint64_t offset, void* bytes, std::uint64_t count) const {
-    return ::pread(descriptor_, bytes, count, static_cast<off_t>(offset));
+    while (true) {
+        const ssize_t got = ::pread(descriptor_, bytes, count, static_cast<off_t>(offset));
+        if (got >= 0 || errno != EINTR) return got;
+    }
 }
 
 ZipHandle openZip(const SharedFile& file, const std::filesystem::path& name) {

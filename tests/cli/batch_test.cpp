@@ -52,6 +52,15 @@ std::string statusesOf(const json& summary) {
 
 TEST_SUITE_BEGIN("cli");
 
+TEST_CASE("a batch hears of its children's ends, though its parent ignores those of its own") {
+    const BatchFolder folder;
+    std::ofstream(folder.path() / "ignore.sh") << "trap '' CHLD; exec timeout 60 \"$@\"\n";
+    const ProgramRun run =
+        runProgram(folder.path(), "run job.toml --json --keep-going", "bash ignore.sh");
+    CHECK(run.status == 1);
+    CHECK(statusesOf(json::parse(run.out, nullptr, false)) == "done failed done done ");
+}
+
 TEST_CASE("a batch converts what its patterns name, and stops at a failure or goes on") {
     const BatchFolder folder;
     const json stopped = folder.run("--threads 1 --report r.json", 1);

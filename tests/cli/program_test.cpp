@@ -307,6 +307,26 @@ TEST_CASE("an interrupt leaves no file behind and ends by its signal") {
     CHECK(contains(run.err, "interrupted"));
 }
 
+TEST_CASE("under nohup the program outlives its terminal") {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        runProgram(folder.path(), "demo d --size 64", "nohup timeout --preserve-status -s HUP 0.3");
+    CHECK(run.status == 0);
+    CHECK(fs::exists(folder.path() / "d"));
+    CHECK(runProgram(folder.path(), "demo e --size 512", "timeout --preserve-status -s HUP 0.3")
+              .status != 0);
+}
+
+TEST_CASE("whatever is printed is a failure where it cannot be") {
+    const TemporaryFolder folder;
+    for (const char* words : {"--list-methods", "--help", "--version", "convert --help"}) {
+        CAPTURE(words);
+        const ProgramRun run =
+            runProgram(folder.path(), std::string(words) + " >/dev/full 2>err.txt");
+        CHECK(run.status == 1);
+    }
+}
+
 TEST_CASE("an atlas is exported and read again, and the encoding and the grazing can be chosen") {
     const TemporaryFolder folder;
     const std::string make =

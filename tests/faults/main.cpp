@@ -4,12 +4,15 @@
 // promises broken, of which there must be none.
 #include "tests/faults/fault_bench.h"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
 
 int main(int argc, char** argv) {
+    // Jobs heed what a parent of ours may ignore.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) std::signal(signal, SIG_DFL);
     if (argc < 3) return 2;
     try {
         abrdf::gProgram = std::filesystem::absolute(argv[1]);
