@@ -2,6 +2,7 @@
 #include "abrdf/matrix_product.h"
 
 #include "abrdf/for_each_texel.h"
+#include "abrdf/register_bytes.h"
 
 #include <algorithm>
 #include <cassert>
@@ -16,7 +17,8 @@ constexpr std::size_t kPanel = PackedMatrix::kPanel;
 template <typename Number, std::size_t kBytes>
 struct Register {
     using Type [[gnu::vector_size(kBytes)]] = Number;
-    using Stored [[gnu::vector_size(kBytes), gnu::aligned(sizeof(Number)), gnu::may_alias]] = Number;
+    using Stored [[gnu::vector_size(kBytes), gnu::aligned(sizeof(Number)), gnu::may_alias]] =
+        Number;
 };
 
 /// Panels of one matrix and the vectors to multiply them with.
@@ -101,10 +103,7 @@ void multiplyPortable(const Work<Number>& work) {
 
 template <typename Number>
 void multiplyFastest(const Work<Number>& work) {
-    static const auto kMultiply = __builtin_cpu_supports("avx512f") != 0 ? multiplyAvx512<Number>
-                                  : __builtin_cpu_supports("avx2") != 0  ? multiplyAvx2<Number>
-                                                                         : multiplyPortable<Number>;
-    kMultiply(work);
+    forRegisters(multiplyAvx512<Number>, multiplyAvx2<Number>, multiplyPortable<Number>)(work);
 }
 
 template <typename Number>

@@ -3,6 +3,7 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/pair_features.h"
 #include "abrdf/random.h"
+#include "abrdf/register_bytes.h"
 #include "stages/measure/measures.h"
 #include "stages/reconstruct/leave_out.h"
 #include "stages/reconstruct/low_rank.h"
@@ -392,6 +393,34 @@ TEST_CASE("a model of other samples or another grid is refused") {
     CHECK_THROWS_AS(methodFromName("prior").make(task), std::invalid_argument);
     task.prior = nullptr;
     CHECK_THROWS_AS(methodFromName("prior").make(task), std::invalid_argument);
+}
+
+TEST_CASE("an ABRDF and its estimate have the same bits with the registers of every processor") {
+    const SmallPrior& prior = smallPrior();
+    for (const int rank : {0, 8}) {
+        std::vector<Rgb> first;
+        std::vector<float> firstEstimates;
+        for (const int bytes : {16, 32, 64}) {
+            const RegisterLimit limit(bytes);
+            ReconstructionTask task = taskFor(prior.samplesOf(plastic));
+            task.options.rank = rank;
+            const auto reconstructor = methodFromName("prior").make(task);
+            AbrdfTile samples(3, prior.samples.count());
+            for (std::size_t t = 0; t < samples.texelCount(); ++t) {
+                for (std::size_t k = 0; k < samples.valuesPerTexel(); ++k) {
+                    samples[t][k] = (0.2F + 0.1F * static_cast<float>((t * 7 + k * 3) % 5)) *
+                                    plastic(prior.samples.directions[k]);
+                }
+            }
+            const ReconstructedTexels texels =
+                reconstructTexels(samples, prior.grid, *reconstructor);
+            const auto values = texels.abrdfs.values();
+            if (first.empty()) first.assign(values.begin(), values.end());
+            if (firstEstimates.empty()) firstEstimates = texels.estimates;
+            CHECK(std::ranges::equal(values, first));
+            CHECK(texels.estimates == firstEstimates);
+        }
+    }
 }
 
 TEST_SUITE_END();
