@@ -273,6 +273,43 @@ TEST_CASE("a low rank is exact for the material's mean, and costs less") {
           0.5 * PriorMaterial(model, rows(), samples, {}).multiplyAdds());
 }
 
+TEST_CASE("a texel that is alone needs no maps for its ABRDF and its estimate") {
+    const auto brushed = [](const LightAndView& pair) {
+        const double turn = pair.light.phi + pair.view.phi;
+        return (1.5F + static_cast<float>(std::cos(turn))) * plastic(pair);
+    };
+    const auto black = [](const LightAndView&) { return Rgb{}; };
+    const auto red = [](const LightAndView& pair) { return Rgb{plastic(pair).r, 0, 0}; };
+    const PriorModel& model = *smallPrior().model;
+    for (const std::function<Rgb(const LightAndView&)>& material :
+         {std::function<Rgb(const LightAndView&)>(plastic),
+          std::function<Rgb(const LightAndView&)>(brushed),
+          std::function<Rgb(const LightAndView&)>(black),
+          std::function<Rgb(const LightAndView&)>(red)}) {
+        for (const double saturated : {0.0, 0.3}) {
+            const std::vector<Rgb> samples = smallPrior().samplesOf(material);
+            const PriorMaterial whole(model, rows(), samples, {.saturated = saturated});
+            const PriorMaterial alone(model, rows(), samples,
+                                      {.saturated = saturated, .alone = true});
+            CHECK(alone.model().columns() == 1);
+            std::vector<Rgb> wanted(smallPrior().grid.pairCount());
+            std::vector<Rgb> found(wanted.size());
+            float wantedError = 0;
+            float foundError = 0;
+            whole.model().evaluate(whole.encode(samples, {&wantedError, 1}), wanted);
+            alone.model().evaluate(alone.encode(samples, {&foundError, 1}), found);
+            CHECK(foundError == doctest::Approx(wantedError).epsilon(1e-4));
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                CHECK(found[i].r == doctest::Approx(wanted[i].r).epsilon(2e-6));
+                CHECK(found[i].g == doctest::Approx(wanted[i].g).epsilon(2e-6));
+                CHECK(found[i].b == doctest::Approx(wanted[i].b).epsilon(2e-6));
+            }
+        }
+    }
+    const PriorMaterial alone(model, rows(), smallPrior().samplesOf(plastic), {.alone = true});
+    CHECK_THROWS_AS(alone.encode(smallPrior().samplesOf(brushed)), std::logic_error);
+}
+
 TEST_CASE("basis and projection of full rank are the map, and the first numbers are the best") {
     Random random(3);
     Eigen::MatrixXf matrix(40, 9);
