@@ -104,6 +104,9 @@ TEST_CASE("the map of a mixture is its slow twin in double precision") {
         const PriorMap map = priorMap(model, terms, model.outputs, isotropic.rowOf);
         const Eigen::VectorXf x = map.offset + map.matrix * z.cast<float>();
         CHECK((x.cast<double>() - slowLogs(model, terms, z)).cwiseAbs().maxCoeff() < 2e-3);
+        const Eigen::MatrixXd vectors = z;
+        const PriorMap ofOne = priorMap(model, terms, model.outputs, isotropic.rowOf, &vectors);
+        CHECK((ofOne.offset + ofOne.matrix - x).cwiseAbs().maxCoeff() < 1e-3F);
     }
 }
 
