@@ -15,6 +15,13 @@ constexpr std::size_t kPiece = 128;  // Colours at once: they stay in the innerm
 template <std::size_t kBytes>
 using Vector = portable::Vector<kBytes>;
 
+/// To 0 .. 1. Not a lambda, here and below: one is not inlined where nothing is optimised, and
+/// then returns its value as processors without such registers do.
+template <std::size_t kBytes>
+[[gnu::always_inline]] inline Vector<kBytes> clipped(const Vector<kBytes>& x) {
+    return smaller(Vector<kBytes>::all(1), larger(Vector<kBytes>::all(0), x));
+}
+
 /// displayLab()'s curve.
 template <std::size_t kBytes>
 [[gnu::always_inline]] inline Vector<kBytes> curve(const Vector<kBytes>& t) {
@@ -28,12 +35,9 @@ template <std::size_t kBytes>
 template <std::size_t kBytes>
 [[gnu::always_inline]] inline void labsOf(float* first, float* second, float* third) {
     using V = Vector<kBytes>;
-    const auto clipped = [](const float* x) {
-        return smaller(V::all(1), larger(V::all(0), V::at(x)));
-    };
-    const V r = clipped(first);
-    const V g = clipped(second);
-    const V b = clipped(third);
+    const V r = clipped(V::at(first));
+    const V g = clipped(V::at(second));
+    const V b = clipped(V::at(third));
     const V x = curve(V{(0.4124F * r.v + 0.3576F * g.v + 0.1805F * b.v) / 0.9505F});
     const V y = curve(V{0.2126F * r.v + 0.7152F * g.v + 0.0722F * b.v});
     const V z = curve(V{(0.0193F * r.v + 0.1192F * g.v + 0.9505F * b.v) / 1.0890F});

@@ -42,16 +42,20 @@ template <std::size_t kBytes, std::size_t kLogs>
     }
 }
 
+/// Not negative; 0 where the channel's scale is.
+template <std::size_t kBytes>
+[[gnu::always_inline]] inline Vector<kBytes> bounded(const Vector<kBytes>& x, float scale) {
+    using V = Vector<kBytes>;
+    const V most = V::all(scale > 0 ? std::numeric_limits<float>::max() : 0);
+    return smaller(larger(x, V::all(0)), most);
+}
+
 /// `share` of a chroma that sums to 3, none of it negative; channels of scale 0 are black.
 template <std::size_t kBytes>
 [[gnu::always_inline]] inline Channels<kBytes> normalized(const TexelRows& rows,
                                                           const Channels<kBytes>& chroma,
                                                           float share) {
     using V = Vector<kBytes>;
-    const auto bounded = [](const V& x, float scale) {
-        const V most = V::all(scale > 0 ? std::numeric_limits<float>::max() : 0);
-        return smaller(larger(x, V::all(0)), most);
-    };
     const V r = bounded(chroma.r, rows.channel.r);
     const V g = bounded(chroma.g, rows.channel.g);
     const V b = bounded(chroma.b, rows.channel.b);
@@ -60,15 +64,11 @@ template <std::size_t kBytes>
 }
 
 template <std::size_t kBytes>
-[[gnu::always_inline]] inline Channels<kBytes> kriged(const TexelRows& rows, std::size_t row) {
-    const auto channel = [&](std::size_t c) {
-        return Vector<kBytes>{rows.meanChroma[c] +
-                              Vector<kBytes>::at(rows.chromaCenters[c] + row).v +
-                              Vector<kBytes>::at(rows.chroma[c] + row).v};
-    };
-    const Vector<kBytes> r = channel(0);
-    const Vector<kBytes> g = channel(1);
-    return {r, g, {3 - r.v - g.v}};
+[[gnu::always_inline]] inline Vector<kBytes> kriged(const TexelRows& rows, std::size_t channel,
+                                                    std::size_t row) {
+    using V = Vector<kBytes>;
+    return {rows.meanChroma[channel] + V::at(rows.chromaCenters[channel] + row).v +
+            V::at(rows.chroma[channel] + row).v};
 }
 
 /// The colours of as many rows as a register has numbers, each channel by itself. kLogs: 4 where
@@ -78,7 +78,11 @@ template <std::size_t kBytes, std::size_t kLogs>
     Vector<kBytes> lights[kLogs];
     takeLights(rows, row, lights);
     Channels<kBytes> sum{};
-    if (rows.blend < 1) sum = normalized(rows, kriged<kBytes>(rows, row), 1 - rows.blend);
+    if (rows.blend < 1) {
+        const Vector<kBytes> r = kriged<kBytes>(rows, 0, row);
+        const Vector<kBytes> g = kriged<kBytes>(rows, 1, row);
+        sum = normalized(rows, Channels<kBytes>{r, g, {3 - r.v - g.v}}, 1 - rows.blend);
+    }
     if constexpr (kLogs == 4) {
         const Vector<kBytes> least = Vector<kBytes>::all(kLeastChannel);
         const Channels<kBytes> chroma = {larger(lights[1], least), larger(lights[2], least),
