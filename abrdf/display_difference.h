@@ -5,6 +5,7 @@
 #include "color/rgb.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace abrdf {
 
@@ -29,6 +30,10 @@ inline DisplayLab displayLab(Rgb color) {
     const float z = curve((0.0193F * r + 0.1192F * g + 0.9505F * b) / 1.0890F);
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
+
+/// displayLab(exposure * color) of `count` colours, with the widest registers of the processor: its
+/// bits on each.
+void displayLabs(const Rgb* colors, std::size_t count, float exposure, DisplayLab* labs);
 
 /// CIE 1976 colour difference.
 inline float displayDifference(const DisplayLab& p, const DisplayLab& q) {

@@ -2,10 +2,10 @@
 #include "abrdf/matrix_product.h"
 
 #include "abrdf/for_each_texel.h"
+#include "abrdf/register_bytes.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 
 namespace abrdf {
 
@@ -13,10 +13,12 @@ namespace {
 
 constexpr std::size_t kPanel = PackedMatrix::kPanel;
 
-/// One register of a processor, of so many bytes.
+/// One register of a processor, of so many bytes, and the same where memory holds it.
 template <typename Number, std::size_t kBytes>
 struct Register {
     using Type [[gnu::vector_size(kBytes)]] = Number;
+    using Stored [[gnu::vector_size(kBytes), gnu::aligned(sizeof(Number)), gnu::may_alias]] =
+        Number;
 };
 
 /// Panels of one matrix and the vectors to multiply them with.
@@ -39,18 +41,26 @@ template <typename Number, std::size_t kBytes, std::size_t kRows, std::size_t kV
                                                 const Number* vectors, Number* result,
                                                 std::size_t stride) {
     using Value = typename Register<Number, kBytes>::Type;
+    using Stored = typename Register<Number, kBytes>::Stored;
+    constexpr std::size_t kLane = kBytes / sizeof(Number);
     constexpr std::size_t kParts = kRows * sizeof(Number) / kBytes;
     Value sums[kVectors][kParts] = {};
     for (std::size_t k = 0; k < columns; ++k) {
         Value column[kParts];
-        std::memcpy(column, rows + k * kPanel, sizeof column);
+        for (std::size_t p = 0; p < kParts; ++p) {
+            column[p] = *reinterpret_cast<const Stored*>(rows + k * kPanel + p * kLane);
+        }
         for (std::size_t v = 0; v < kVectors; ++v) {
             const Number factor = vectors[v * columns + k];
             for (std::size_t p = 0; p < kParts; ++p) sums[v][p] += column[p] * factor;
         }
     }
+    // Each by itself: after a memcpy() of all, gcc keeps the sums in memory, and stores them at
+    // every step.
     for (std::size_t v = 0; v < kVectors; ++v) {
-        std::memcpy(result + v * stride, sums[v], sizeof sums[v]);
+        for (std::size_t p = 0; p < kParts; ++p) {
+            *reinterpret_cast<Stored*>(result + v * stride + p * kLane) = sums[v][p];
+        }
     }
 }
 
@@ -93,10 +103,7 @@ void multiplyPortable(const Work<Number>& work) {
 
 template <typename Number>
 void multiplyFastest(const Work<Number>& work) {
-    static const auto kMultiply = __builtin_cpu_supports("avx512f") != 0 ? multiplyAvx512<Number>
-                                  : __builtin_cpu_supports("avx2") != 0  ? multiplyAvx2<Number>
-                                                                         : multiplyPortable<Number>;
-    kMultiply(work);
+    forRegisters(multiplyAvx512<Number>, multiplyAvx2<Number>, multiplyPortable<Number>)(work);
 }
 
 template <typename Number>

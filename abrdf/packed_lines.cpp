@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/packed_lines.h"
 
+#include "abrdf/register_bytes.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -129,26 +131,15 @@ std::uint64_t halfsPortable(const Rgb* colors, std::size_t count, std::uint16_t*
     return halfsOf(colors, count, halfs);
 }
 
-bool hasAvx512() {
-    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-           __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512dq") != 0;
-}
-
 }  // namespace
 
 std::uint64_t packLines(const Rgb* colors, std::size_t lines, std::size_t width, PixelType type,
                         const PackedLines& place) {
-    static const auto kPack = hasAvx512()                           ? packAvx512
-                              : __builtin_cpu_supports("avx2") != 0 ? packAvx2
-                                                                    : packPortable;
-    return kPack({colors, lines, width, type, place});
+    return forRegisters(packAvx512, packAvx2, packPortable)({colors, lines, width, type, place});
 }
 
 std::uint64_t halfsFrom(const Rgb* colors, std::size_t count, std::uint16_t* halfs) {
-    static const auto kConvert = hasAvx512()                           ? halfsAvx512
-                                 : __builtin_cpu_supports("avx2") != 0 ? halfsAvx2
-                                                                       : halfsPortable;
-    return kConvert(colors, count, halfs);
+    return forRegisters(halfsAvx512, halfsAvx2, halfsPortable)(colors, count, halfs);
 }
 
 }  // namespace abrdf

@@ -14,10 +14,13 @@ inline int roundedToInt(float x) {
     return static_cast<int>(x + std::copysign(0.5F, x));
 }
 
+inline constexpr float kLeastExponent = -87;
+inline constexpr float kLargestExponent = 88;
+
 /// e^x, with x bounded to -87 .. 88.
 inline float exp(float x) {
-    x = x > -87.0F ? x : -87.0F;
-    x = x < 88.0F ? x : 88.0F;
+    x = x > kLeastExponent ? x : kLeastExponent;
+    x = x < kLargestExponent ? x : kLargestExponent;
     // e^x = 2^n e^r, |r| <= ln(2) / 2; ln(2) in two parts, the first one exact in n ln(2).
     const int n = roundedToInt(x * 1.44269504F);
     const auto nf = static_cast<float>(n);

@@ -2,6 +2,8 @@
 #include "abrdf/texel_colors.h"
 
 #include "abrdf/portable_math.h"
+#include "abrdf/portable_vector.h"
+#include "abrdf/register_bytes.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,138 +16,150 @@ constexpr float kLeastChannel = 1e-9F;
 constexpr float kLeastSum = 1e-30F;
 constexpr std::size_t kPiece = 256;  // Rows at once: they stay in the innermost cache.
 
-// A comparison that picks one of two, not std::max(): what it makes of a NaN is one instruction's.
-[[gnu::always_inline]] inline float larger(float a, float b) {
-    return a > b ? a : b;
-}
-[[gnu::always_inline]] inline float smaller(float a, float b) {
-    return a < b ? a : b;
-}
+template <std::size_t kBytes>
+using Vector = portable::Vector<kBytes>;
 
-/// Three channels of some rows, each for itself.
-struct Planes {
-    float r[kPiece];
-    float g[kPiece];
-    float b[kPiece];
+template <std::size_t kBytes>
+struct Channels {
+    Vector<kBytes> r, g, b;
 };
 
-[[gnu::always_inline]] inline void lights(const TexelRows& rows, std::size_t which, float unit,
-                                          std::size_t first, std::size_t count, float* result) {
-    const float* log = rows.logs[which] + first;
-    const float* center = rows.logCenters[which] + first;
-    const float cap = rows.cap;  // Not of `rows`, which the compiler cannot know to be apart.
-    const float floor = rows.floor;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float x = smaller(log[i] + center[i], cap);
-        result[i] = larger(portable::exp(x) - floor, 0.0F) * unit;
+/// The first `kLogs` of luminance, R, G and B, each times its unit.
+template <std::size_t kBytes, std::size_t kLogs>
+[[gnu::always_inline]] inline void takeLights(const TexelRows& rows, std::size_t row,
+                                              Vector<kBytes> (&lights)[kLogs]) {
+    using V = Vector<kBytes>;
+    const float units[] = {rows.luminance, rows.channel.r, rows.channel.g, rows.channel.b};
+    // Both bounds from above at once.
+    const V cap = V::all(std::min(rows.cap, portable::kLargestExponent));
+    for (std::size_t i = 0; i < kLogs; ++i) {
+        const V x{V::at(rows.logs[i] + row).v + V::at(rows.logCenters[i] + row).v};
+        lights[i] = larger(smaller(x, cap), V::all(portable::kLeastExponent));
+    }
+    takeBoundedExp(lights);
+    for (std::size_t i = 0; i < kLogs; ++i) {
+        lights[i].v = larger(V{lights[i].v - rows.floor}, V::all(0)).v * units[i];
     }
 }
 
-/// Chroma that sums to 3, none of it negative; channels of scale 0 are black. Added to `sum`.
-[[gnu::always_inline]] inline void addNormalized(const TexelRows& rows, const Planes& chroma,
-                                                 float share, std::size_t count, Planes& sum) {
-    constexpr float kAny = std::numeric_limits<float>::max();
-    const float mostR = rows.channel.r > 0 ? kAny : 0;
-    const float mostG = rows.channel.g > 0 ? kAny : 0;
-    const float mostB = rows.channel.b > 0 ? kAny : 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float r = smaller(larger(chroma.r[i], 0.0F), mostR);
-        const float g = smaller(larger(chroma.g[i], 0.0F), mostG);
-        const float b = smaller(larger(chroma.b[i], 0.0F), mostB);
-        const float scale = 3 / larger(r + g + b, kLeastSum);
-        sum.r[i] += share * (scale * r);
-        sum.g[i] += share * (scale * g);
-        sum.b[i] += share * (scale * b);
+/// Not negative; 0 where the channel's scale is.
+template <std::size_t kBytes>
+[[gnu::always_inline]] inline Vector<kBytes> bounded(const Vector<kBytes>& x, float scale) {
+    using V = Vector<kBytes>;
+    const V most = V::all(scale > 0 ? std::numeric_limits<float>::max() : 0);
+    return smaller(larger(x, V::all(0)), most);
+}
+
+/// `share` of a chroma that sums to 3, none of it negative; channels of scale 0 are black.
+template <std::size_t kBytes>
+[[gnu::always_inline]] inline Channels<kBytes> normalized(const TexelRows& rows,
+                                                          const Channels<kBytes>& chroma,
+                                                          float share) {
+    using V = Vector<kBytes>;
+    const V r = bounded(chroma.r, rows.channel.r);
+    const V g = bounded(chroma.g, rows.channel.g);
+    const V b = bounded(chroma.b, rows.channel.b);
+    const auto scale = 3 / larger(V{r.v + g.v + b.v}, V::all(kLeastSum)).v;
+    return {{share * (scale * r.v)}, {share * (scale * g.v)}, {share * (scale * b.v)}};
+}
+
+template <std::size_t kBytes>
+[[gnu::always_inline]] inline Vector<kBytes> kriged(const TexelRows& rows, std::size_t channel,
+                                                    std::size_t row) {
+    using V = Vector<kBytes>;
+    return {rows.meanChroma[channel] + V::at(rows.chromaCenters[channel] + row).v +
+            V::at(rows.chroma[channel] + row).v};
+}
+
+/// The colours of as many rows as a register has numbers, each channel by itself. kLogs: 4 where
+/// chroma of channels has a share, else 1.
+template <std::size_t kBytes, std::size_t kLogs>
+[[gnu::always_inline]] inline Channels<kBytes> colorsAt(const TexelRows& rows, std::size_t row) {
+    Vector<kBytes> lights[kLogs];
+    takeLights(rows, row, lights);
+    Channels<kBytes> sum{};
+    if (rows.blend < 1) {
+        const Vector<kBytes> r = kriged<kBytes>(rows, 0, row);
+        const Vector<kBytes> g = kriged<kBytes>(rows, 1, row);
+        sum = normalized(rows, Channels<kBytes>{r, g, {3 - r.v - g.v}}, 1 - rows.blend);
+    }
+    if constexpr (kLogs == 4) {
+        const Vector<kBytes> least = Vector<kBytes>::all(kLeastChannel);
+        const Channels<kBytes> chroma = {larger(lights[1], least), larger(lights[2], least),
+                                         larger(lights[3], least)};
+        const Channels<kBytes> own = normalized(rows, chroma, rows.blend);
+        sum = {{sum.r.v + own.r.v}, {sum.g.v + own.g.v}, {sum.b.v + own.b.v}};
+    }
+    return {{lights[0].v * sum.r.v}, {lights[0].v * sum.g.v}, {lights[0].v * sum.b.v}};
+}
+
+template <std::size_t kBytes, std::size_t kLogs>
+[[gnu::always_inline]] inline void colorsOfWhole(const TexelRows& rows, std::size_t count,
+                                                 Rgb* colors) {
+    float planes[3][kPiece];
+    for (std::size_t first = 0; first < count; first += kPiece) {
+        const std::size_t n = std::min(kPiece, count - first);
+        for (std::size_t i = 0; i < n; i += Vector<kBytes>::kCount) {
+            const Channels<kBytes> c = colorsAt<kBytes, kLogs>(rows, first + i);
+            c.r.store(planes[0] + i);
+            c.g.store(planes[1] + i);
+            c.b.store(planes[2] + i);
+        }
+        Rgb* out = colors + first;
+        for (std::size_t i = 0; i < n; ++i) out[i] = {planes[0][i], planes[1][i], planes[2][i]};
     }
 }
 
-[[gnu::always_inline]] inline void kriged(const TexelRows& rows, std::size_t first,
-                                          std::size_t count, Planes& chroma) {
-    const float* r = rows.chroma[0] + first;
-    const float* g = rows.chroma[1] + first;
-    const float* centerR = rows.chromaCenters[0] + first;
-    const float* centerG = rows.chromaCenters[1] + first;
-    const auto [meanR, meanG] = rows.meanChroma;
-    for (std::size_t i = 0; i < count; ++i) {
-        chroma.r[i] = meanR + centerR[i] + r[i];
-        chroma.g[i] = meanG + centerG[i] + g[i];
-        chroma.b[i] = 3 - chroma.r[i] - chroma.g[i];
-    }
-}
-
-[[gnu::always_inline]] inline void ofChannels(const TexelRows& rows, std::size_t first,
-                                              std::size_t count, Planes& chroma) {
-    lights(rows, 1, rows.channel.r, first, count, chroma.r);
-    lights(rows, 2, rows.channel.g, first, count, chroma.g);
-    lights(rows, 3, rows.channel.b, first, count, chroma.b);
-    for (std::size_t i = 0; i < count; ++i) {
-        chroma.r[i] = larger(chroma.r[i], kLeastChannel);
-        chroma.g[i] = larger(chroma.g[i], kLeastChannel);
-        chroma.b[i] = larger(chroma.b[i], kLeastChannel);
-    }
-}
-
+template <std::size_t kBytes>
 [[gnu::always_inline]] inline void allColors(const TexelRows& rows, std::size_t count,
                                              Rgb* colors) {
-    Planes chroma;
-    Planes sum;
-    float luminance[kPiece];
-    for (std::size_t first = 0; first < count; first += kPiece, colors += kPiece) {
-        const std::size_t n = std::min(kPiece, count - first);
-        for (std::size_t i = 0; i < n; ++i) sum.r[i] = sum.g[i] = sum.b[i] = 0;
-        if (rows.blend < 1) {
-            kriged(rows, first, n, chroma);
-            addNormalized(rows, chroma, 1 - rows.blend, n, sum);
-        }
-        if (rows.blend > 0) {
-            ofChannels(rows, first, n, chroma);
-            addNormalized(rows, chroma, rows.blend, n, sum);
-        }
-        lights(rows, 0, rows.luminance, first, n, luminance);
-        for (std::size_t i = 0; i < n; ++i) {
-            colors[i] = {luminance[i] * sum.r[i], luminance[i] * sum.g[i], luminance[i] * sum.b[i]};
-        }
+    const std::size_t whole = count - count % Vector<kBytes>::kCount;
+    if (rows.blend > 0) {
+        colorsOfWhole<kBytes, 4>(rows, whole, colors);
+    } else {
+        colorsOfWhole<kBytes, 1>(rows, whole, colors);
     }
+    for (std::size_t row = whole; row < count; ++row) colors[row] = slowTexelColor(rows, row);
 }
 
 // The same loops for the registers that a processor has.
 [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq")]] void colorsAvx512(const TexelRows& rows,
                                                                         std::size_t count,
                                                                         Rgb* colors) {
-    allColors(rows, count, colors);
+    allColors<64>(rows, count, colors);
 }
 [[gnu::target("avx2")]] void colorsAvx2(const TexelRows& rows, std::size_t count, Rgb* colors) {
-    allColors(rows, count, colors);
+    allColors<32>(rows, count, colors);
 }
 void colorsPortable(const TexelRows& rows, std::size_t count, Rgb* colors) {
-    allColors(rows, count, colors);
+    allColors<16>(rows, count, colors);
 }
 
-bool hasAvx512() {
-    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-           __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+// Of a NaN, the second, as vectors do.
+float larger(float a, float b) {
+    return a > b ? a : b;
+}
+float smaller(float a, float b) {
+    return a < b ? a : b;
 }
 
 Rgb slowNormalized(Rgb chroma, Rgb scale) {
-    const Rgb bounded = {scale.r > 0 ? std::max(chroma.r, 0.0F) : 0,
-                         scale.g > 0 ? std::max(chroma.g, 0.0F) : 0,
-                         scale.b > 0 ? std::max(chroma.b, 0.0F) : 0};
-    return 3 / std::max(bounded.r + bounded.g + bounded.b, kLeastSum) * bounded;
+    const Rgb bounded = {scale.r > 0 ? larger(chroma.r, 0.0F) : 0,
+                         scale.g > 0 ? larger(chroma.g, 0.0F) : 0,
+                         scale.b > 0 ? larger(chroma.b, 0.0F) : 0};
+    return 3 / larger(bounded.r + bounded.g + bounded.b, kLeastSum) * bounded;
 }
 
 }  // namespace
 
 void texelColors(const TexelRows& rows, std::size_t count, Rgb* colors) {
-    static const auto kColors = hasAvx512()                           ? colorsAvx512
-                                : __builtin_cpu_supports("avx2") != 0 ? colorsAvx2
-                                                                      : colorsPortable;
-    kColors(rows, count, colors);
+    forRegisters(colorsAvx512, colorsAvx2, colorsPortable)(rows, count, colors);
 }
 
 Rgb slowTexelColor(const TexelRows& rows, std::size_t row) {
     const auto light = [&](std::size_t i, float unit) {
-        const float x = std::min(rows.logs[i][row] + rows.logCenters[i][row], rows.cap);
-        return std::max(portable::exp(x) - rows.floor, 0.0F) * unit;
+        const float x = smaller(rows.logs[i][row] + rows.logCenters[i][row], rows.cap);
+        return larger(portable::exp(x) - rows.floor, 0.0F) * unit;
     };
     Rgb chroma;
     if (rows.blend < 1) {
@@ -157,9 +171,9 @@ Rgb slowTexelColor(const TexelRows& rows, std::size_t row) {
         chroma += (1 - rows.blend) * slowNormalized({r, g, 3 - r - g}, rows.channel);
     }
     if (rows.blend > 0) {
-        chroma += rows.blend * slowNormalized({std::max(light(1, rows.channel.r), kLeastChannel),
-                                               std::max(light(2, rows.channel.g), kLeastChannel),
-                                               std::max(light(3, rows.channel.b), kLeastChannel)},
+        chroma += rows.blend * slowNormalized({larger(light(1, rows.channel.r), kLeastChannel),
+                                               larger(light(2, rows.channel.g), kLeastChannel),
+                                               larger(light(3, rows.channel.b), kLeastChannel)},
                                               rows.channel);
     }
     return light(0, rows.luminance) * chroma;

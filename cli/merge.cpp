@@ -8,6 +8,14 @@
 
 namespace abrdf {
 
+namespace {
+
+std::string shardsText(std::size_t count) {
+    return count == 1 ? "one shard" : fmt::format("{} shards", count);
+}
+
+}  // namespace
+
 void addMerge(CLI::App& app, RunCommand& runCommand) {
     CLI::App* command = app.add_subcommand("merge", "shards of one job into one atlas");
     command->footer("Example: abrdf merge corduroy.1.exr corduroy.2.exr -o corduroy.exr");
@@ -27,9 +35,9 @@ void addMerge(CLI::App& app, RunCommand& runCommand) {
             options->memory = shared.memoryBytes();
             const auto report = merge(*options, progress);
             const std::string text = fmt::format(
-                "{}: {} x {} texels from {} shards in {:.2f} s\n",
+                "{}: {} x {} texels from {} in {:.2f} s\n",
                 report["output"]["path"].get<std::string>(), report["texels"][0].get<int>(),
-                report["texels"][1].get<int>(), report["shards"].get<std::size_t>(),
+                report["texels"][1].get<int>(), shardsText(report["shards"].get<std::size_t>()),
                 report["time"]["total"].get<double>());
             deliver(report, shared.quiet ? "" : text, shared);
             return 0;

@@ -304,8 +304,10 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
     const double readSeconds = secondsSince(start);
 
     const std::vector<std::size_t>& images = job.samples().pairs;
+    MethodChoice method = job.method;
+    method.options.alone = job.texels.count() == 1 && job.layout().kind != AtlasKind::kModel;
     const auto reconstructor =
-        buildReconstructor(job.method, job.planned, job.input, images, facts, progress);
+        buildReconstructor(method, job.planned, job.input, images, facts, progress);
     malloc_trim(0);
     const std::string remark = reconstructor->remark();
     if (!remark.empty() && job.input.warn) job.input.warn(remark);

@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 namespace abrdf {
@@ -25,7 +28,12 @@ namespace {
 
 ordered_json jobOf(const AtlasTiles& shard, const fs::path& path) {
     ordered_json job = ordered_json::parse(shard.header().job, nullptr, false);
-    if (shard.header().shard == 0 || !job.is_object()) {
+    if (shard.header().shard == 0) {
+        throw std::runtime_error(fmt::format(
+            "{}: is a whole atlas and no part of one; give only what one convert --shard I/N made",
+            path.string()));
+    }
+    if (!job.is_object()) {
         throw std::runtime_error(fmt::format(
             "{}: is no shard of an atlas; those are made by convert --shard I/N", path.string()));
     }
@@ -196,11 +204,60 @@ void turnTiles(const std::vector<AtlasTiles>& shards, const MergeOptions& option
     writeItems({layout, memory, task.type}, items, {}, writer, {}, progress);
 }
 
+/// The only part of a job is its atlas.
+std::uint64_t copyWhole(const fs::path& from, const fs::path& to) {
+    std::ifstream stream(from, std::ios::binary);
+    OutputFile file(to);
+    std::vector<char> piece(std::size_t{4} << 20);
+    std::uint64_t bytes = 0;
+    while (stream) {
+        stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        const auto count = static_cast<std::size_t>(stream.gcount());
+        file.write(std::span(piece).first(count));
+        bytes += count;
+    }
+    if (!stream.eof() || bytes != fs::file_size(from)) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot be read: {}", from.string(), std::strerror(errno)));
+    }
+    file.commit();
+    return bytes;
+}
+
+using Clock = std::chrono::steady_clock;
+
+ordered_json reportOf(const MergeOptions& options, const AtlasHeader& header, PixelType type,
+                      const std::vector<float>& estimates, std::uint64_t bytes,
+                      Clock::time_point start) {
+    const std::chrono::duration<double> seconds = Clock::now() - start;
+    ordered_json report = {{"command", "merge"},
+                           {"version", ABRDF_VERSION},
+                           {"shards", options.shards.size()},
+                           {"texels", {header.layout.texelsWide, header.layout.texelsHigh}},
+                           {"counts",
+                            {{"clamped", header.counts.clamped},
+                             {"extrapolated", header.counts.extrapolated},
+                             {"nonfinite", header.counts.nonfinite}}}};
+    addEstimate(estimates, report);
+    report["time"] = {{"total", seconds.count()}};
+    report["peak_memory"] = peakMemory();
+    report["output"] = {
+        {"path", options.output.string()}, {"bytes", bytes}, {"pixel", nameOf(type)}};
+    return report;
+}
+
 }  // namespace
 
 ordered_json merge(const MergeOptions& options, const ProgressSink& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     checkOutputPath(options.output);
+    if (options.shards.size() == 1) {
+        const AtlasTiles atlas(options.shards[0]);
+        if (atlas.header().shard == 0) {
+            const std::uint64_t bytes = copyWhole(options.shards[0], options.output);
+            return reportOf(options, atlas.header(), atlas.type(), atlas.estimates(), bytes, start);
+        }
+    }
     const std::vector<AtlasTiles> shards = openShards(options.shards);
     const ordered_json job = jobOf(shards[0], options.shards[0]);
     const AtlasHeader header = wholeHeader(shards, job, options.shards[0]);
@@ -220,21 +277,7 @@ ordered_json merge(const MergeOptions& options, const ProgressSink& progress) {
         turnTiles(shards, options, writer, header.layout, progress);
     }
     const std::uint64_t bytes = writer.finish(header.counts);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    ordered_json report = {{"command", "merge"},
-                           {"version", ABRDF_VERSION},
-                           {"shards", shards.size()},
-                           {"texels", {header.layout.texelsWide, header.layout.texelsHigh}},
-                           {"counts",
-                            {{"clamped", header.counts.clamped},
-                             {"extrapolated", header.counts.extrapolated},
-                             {"nonfinite", header.counts.nonfinite}}}};
-    addEstimate(estimates, report);
-    report["time"] = {{"total", seconds.count()}};
-    report["peak_memory"] = peakMemory();
-    report["output"] = {
-        {"path", options.output.string()}, {"bytes", bytes}, {"pixel", nameOf(shards[0].type())}};
-    return report;
+    return reportOf(options, header, shards[0].type(), estimates, bytes, start);
 }
 
 }  // namespace abrdf

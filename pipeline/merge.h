@@ -11,7 +11,8 @@
 
 namespace abrdf {
 
-/// Shards of one job into the atlas that a single run would have written, to the byte.
+/// Shards of one job into the atlas that a single run would have written, to the byte. One whole
+/// atlas alone, which is what shard 1/1 is, is copied.
 struct MergeOptions {
     std::vector<std::filesystem::path> shards;  ///< In any order.
     std::filesystem::path output;

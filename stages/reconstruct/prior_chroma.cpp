@@ -187,18 +187,33 @@ Eigen::MatrixXd ChromaKriging::features(const std::vector<LightAndView>& pairs,
 }
 
 Eigen::MatrixXf ChromaKriging::outputMatrix(const std::vector<LightAndView>& outputs,
-                                            const Eigen::VectorXd& outputLuminance) const {
-    const Eigen::MatrixXd outputFeatures = features(outputs, outputLuminance);
-    const auto rows = static_cast<Eigen::Index>(outputs.size());
-    Eigen::MatrixXf result = Eigen::MatrixXf::Zero(rows, features_.rows());
-    const Eigen::MatrixXd distances = squaredDistances(outputFeatures, features_);
-    for (const Shape shape : {kExponential, kMatern, kWideMatern}) {
-        if (ofShape_[shape].size() == 0) continue;
-        result += product(kernel(shape, distances), ofShape_[shape]).cast<float>();
-    }
-    if (isAnisotropic()) {
-        result += product(vectorKernel(outputs, pairs_), ofVectors_).cast<float>();
-    }
+                                            const Eigen::VectorXd& outputLuminance,
+                                            const Eigen::MatrixXd* vectors) const {
+    const auto rightOf = [&](const Eigen::MatrixXd& matrix) {
+        return vectors != nullptr && matrix.size() > 0 ? product(matrix, *vectors) : matrix;
+    };
+    std::array<Eigen::MatrixXd, kShapes> ofShape;
+    std::ranges::transform(ofShape_, ofShape.begin(), rightOf);
+    const Eigen::MatrixXd ofVectors = rightOf(ofVectors_);
+    Eigen::MatrixXf result =
+        Eigen::MatrixXf::Zero(static_cast<Eigen::Index>(outputs.size()),
+                              vectors != nullptr ? vectors->cols() : features_.rows());
+    // Some rows at a time: what is made on the way stays in a core's cache.
+    constexpr std::size_t kRowsAtOnce = 128;
+    forEachTexelBlock(outputs.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
+        const auto first = static_cast<Eigen::Index>(begin);
+        const auto count = static_cast<Eigen::Index>(end - begin);
+        const std::vector<LightAndView> own(outputs.begin() + static_cast<std::ptrdiff_t>(begin),
+                                            outputs.begin() + static_cast<std::ptrdiff_t>(end));
+        auto rows = result.middleRows(first, count);
+        const Eigen::MatrixXd distances =
+            squaredDistances(features(own, outputLuminance.segment(first, count)), features_);
+        for (const Shape shape : {kExponential, kMatern, kWideMatern}) {
+            if (ofShape[shape].size() == 0) continue;
+            rows += product(kernel(shape, distances), ofShape[shape]).cast<float>();
+        }
+        if (isAnisotropic()) rows += product(vectorKernel(own, pairs_), ofVectors).cast<float>();
+    });
     return result;
 }
 

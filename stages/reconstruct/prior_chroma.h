@@ -30,9 +30,11 @@ class ChromaKriging {
                   const std::vector<Eigen::MatrixX3d>& texels, double exposure);
 
     /// The matrix by which (chroma - its mean) at the samples makes (chroma - mean) at the outputs
-    /// of this luminance; a row an output.
+    /// of this luminance; a row an output. vectors: where only these are to be multiplied with it,
+    /// a column each, what it would make of them.
     Eigen::MatrixXf outputMatrix(const std::vector<LightAndView>& outputs,
-                                 const Eigen::VectorXd& outputLuminance) const;
+                                 const Eigen::VectorXd& outputLuminance,
+                                 const Eigen::MatrixXd* vectors = nullptr) const;
 
     /// The chroma of each texel's samples, predicted from the others.
     const std::vector<Eigen::MatrixX3d>& leaveOneOut() const { return leaveOneOut_; }

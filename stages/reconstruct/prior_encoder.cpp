@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/reconstruct/prior_encoder.h"
 
-#include "abrdf/portable_math.h"
+#include "abrdf/logarithms.h"
 #include "abrdf/prior_model.h"
 #include "stages/reconstruct/prior_chroma.h"
 
@@ -68,13 +68,14 @@ void PriorEncoder::addTexel(const Eigen::MatrixX3d& colors, TexelCodes& codes) c
     TexelScale scale;
     const auto addLogs = [&](const Eigen::VectorXd& values, std::size_t which) {
         std::vector<float>& logs = codes.logs[which];
-        const float* center = centers_.logs[which].data();
+        const std::size_t begin = logs.size();
+        logs.resize(begin + static_cast<std::size_t>(values.size()));
+        Eigen::Map<Eigen::ArrayXf> own(logs.data() + begin, values.size());
         const double s = scaleOf(values, scaleFactor_);
         const auto inverse = static_cast<float>(s > 0 ? 1 / s : 0);
-        for (const double value : values) {
-            const float relative = std::max(static_cast<float>(value) * inverse, 0.0F);
-            logs.push_back(portable::log(relative + kFloor) - *center++);
-        }
+        own = (values.array().cast<float>() * inverse).max(0.0F) + kFloor;
+        takeLogarithms(std::span(logs).subspan(begin));
+        own -= centers_.logs[which].array();
         return static_cast<float>(s);
     };
     scale.luminance = addLogs(colors.rowwise().sum() / 3, 0);
@@ -87,10 +88,10 @@ void PriorEncoder::addTexel(const Eigen::MatrixX3d& colors, TexelCodes& codes) c
         channel[c] = colors.col(column).maxCoeff() > 0 ? std::max(channel[c], kLeastScale) : 0;
         if (c == 2) break;
         scale.meanChroma[c] = static_cast<float>(mean(column));
-        for (Eigen::Index i = 0; rule_.blend < 1 && i < chroma.rows(); ++i) {
-            codes.chroma[c].push_back(static_cast<float>(chroma(i, column) - mean(column)) -
-                                      centers_.chroma[c](i));
-        }
+        if (rule_.blend >= 1) continue;
+        const Eigen::VectorXf own =
+            (chroma.col(column).array() - mean(column)).cast<float>().matrix() - centers_.chroma[c];
+        codes.chroma[c].insert(codes.chroma[c].end(), own.begin(), own.end());
     }
     scale.channel = {channel[0], channel[1], channel[2]};
     codes.scales.push_back(scale);

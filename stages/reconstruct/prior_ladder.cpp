@@ -17,7 +17,7 @@ constexpr std::uint64_t kProbeSeed = 0x9206e5;
 
 std::vector<DisplayLab> labsOf(std::span<const Rgb> colors, float exposure) {
     std::vector<DisplayLab> labs(colors.size());
-    for (std::size_t i = 0; i < labs.size(); ++i) labs[i] = displayLab(exposure * colors[i]);
+    displayLabs(colors.data(), colors.size(), exposure, labs.data());
     return labs;
 }
 

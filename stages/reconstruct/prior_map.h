@@ -22,8 +22,10 @@ struct PriorMap {
 bool isIsotropic(const PriorModel& model, const std::vector<PriorTerm>& terms);
 
 /// outputs: the model's, or the distinct isotropic ones where isIsotropic(). rowOf: of each of the
-/// model's outputs, its distinct isotropic one.
+/// model's outputs, its distinct isotropic one. vectors: where only these are to be mapped, a
+/// column each, `matrix` is what it would make of them; far cheaper than the map.
 PriorMap priorMap(const PriorModel& model, const std::vector<PriorTerm>& terms,
-                  const std::vector<LightAndView>& outputs, std::span<const std::size_t> rowOf);
+                  const std::vector<LightAndView>& outputs, std::span<const std::size_t> rowOf,
+                  const Eigen::MatrixXd* vectors = nullptr);
 
 }  // namespace abrdf

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 namespace abrdf {
@@ -58,10 +59,17 @@ Eigen::VectorXd luminanceFromLogs(const std::vector<float>& x, float cap, double
     return luminance;
 }
 
-/// What a map makes of a centre.
-std::vector<float> mapped(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& center) {
-    const Eigen::VectorXf output = matrix * center;
-    return {output.data(), output.data() + output.size()};
+std::vector<float> numbersOf(const Eigen::VectorXf& values) {
+    return {values.data(), values.data() + values.size()};
+}
+
+template <typename Vectors>
+Eigen::MatrixXd columnsOf(const Vectors& vectors) {
+    Eigen::MatrixXd columns(vectors[0].size(), static_cast<Eigen::Index>(vectors.size()));
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        columns.col(static_cast<Eigen::Index>(i)) = vectors[i].template cast<double>();
+    }
+    return columns;
 }
 
 }  // namespace
@@ -69,6 +77,7 @@ std::vector<float> mapped(const Eigen::MatrixXf& matrix, const Eigen::VectorXf& 
 PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_t> rowOf,
                              std::span<const Rgb> mean, const ReconstructOptions& options,
                              std::span<const Rgb> texels) {
+    isAlone_ = options.alone && options.centered && options.rank == 0 && options.tolerance <= 0;
     Eigen::MatrixX3d colors = matrixOf(mean);
     const std::vector<Eigen::MatrixX3d> chosenBy = chooseModels(model, colors, texels, options);
     shownExposure_ = choiceExposure(luminancesOf(chosenBy).reshaped());
@@ -78,7 +87,9 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
     // room for a highlight between them.
     rule_.cap = static_cast<float>(std::log(3 / model.scaleFactor) + 0.7);
     rule_.blend = chosenBlend(model, chosenBy, shownExposure_, kriging.leaveOneOut());
-    PriorEncoder::Centers centers = PriorEncoder::centersOf(colors, model.scaleFactor);
+    // The centre of a texel that is alone is the texel: as it will be encoded.
+    PriorEncoder::Centers centers = PriorEncoder::centersOf(
+        isAlone_ && censored_ ? censored_->restored(matrixOf(mean)) : colors, model.scaleFactor);
     if (!options.centered) {
         for (Eigen::VectorXf& center : centers.logs) center.setZero();
         for (Eigen::VectorXf& center : centers.chroma) center.setZero();
@@ -164,27 +175,46 @@ PriorMaterial::Whole PriorMaterial::wholeMaps(const PriorModel& model,
         whole.rowOf.push_back(fewRows ? isotropic.rowOf[row] : row);
         whole.pairs.push_back(model.outputs[row]);
     }
-    PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
-    const auto logsOf = [&](const Eigen::VectorXf& z) {
-        std::vector<float> x = mapped(map.matrix, z);
-        for (std::size_t row = 0; row < x.size(); ++row) {
-            x[row] += map.offset(static_cast<Eigen::Index>(row));
-        }
-        return x;
-    };
+    const auto rows = static_cast<Eigen::Index>(outputs.size());
+    // What is to be known at once: the centres, and the material's own luminance at the outputs,
+    // which is a feature of its chroma.
     const PriorEncoder::Centers& centers = encoder_.centers();
-    for (std::size_t i = 0; i < rule_.logVectors(); ++i) {
-        whole.centers.logCenters[i] = logsOf(centers.logs[i]);
-    }
-    // The material's own luminance at the outputs is a feature of its chroma.
     const LogSamples own = logSamples(model, colors.rowwise().sum() / 3);
     Eigen::VectorXf z = Eigen::VectorXf::Zero(colors.rows());
     if (own.scale > 0) z = own.z.cast<float>();
-    whole.chroma =
-        kriging.outputMatrix(outputs, luminanceFromLogs(logsOf(z), rule_.cap, own.scale));
-    whole.luminance = std::move(map.matrix);
-    for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) {
-        whole.centers.chromaCenters[c] = mapped(whole.chroma, centers.chroma[c]);
+    std::vector<Eigen::VectorXf> logs(
+        centers.logs.begin(),
+        centers.logs.begin() + static_cast<std::ptrdiff_t>(rule_.logVectors()));
+    logs.push_back(z);
+    std::vector<std::vector<float>> mappedLogs;
+    if (isAlone_) {
+        const Eigen::MatrixXd vectors = columnsOf(logs);
+        const PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf, &vectors);
+        for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+            mappedLogs.push_back(numbersOf(map.matrix.col(i) + map.offset));
+        }
+        whole.luminance = Eigen::MatrixXf::Zero(rows, 1);
+    } else {
+        PriorMap map = priorMap(model, terms_, outputs, isotropic.rowOf);
+        for (const Eigen::VectorXf& vector : logs) {
+            mappedLogs.push_back(numbersOf(Eigen::VectorXf(map.matrix * vector) + map.offset));
+        }
+        whole.luminance = std::move(map.matrix);
+    }
+    const Eigen::VectorXd luminance = luminanceFromLogs(mappedLogs.back(), rule_.cap, own.scale);
+    std::move(mappedLogs.begin(), mappedLogs.end() - 1, whole.centers.logCenters.begin());
+    if (isAlone_) {
+        const Eigen::MatrixXd vectors = columnsOf(centers.chroma);
+        const Eigen::MatrixXf chroma = kriging.outputMatrix(outputs, luminance, &vectors);
+        for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) {
+            whole.centers.chromaCenters[c] = numbersOf(chroma.col(static_cast<Eigen::Index>(c)));
+        }
+        whole.chroma = Eigen::MatrixXf::Zero(rows, 1);
+    } else {
+        whole.chroma = kriging.outputMatrix(outputs, luminance);
+        for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) {
+            whole.centers.chromaCenters[c] = numbersOf(whole.chroma * centers.chroma[c]);
+        }
     }
     return whole;
 }
@@ -309,7 +339,7 @@ TexelCodes PriorMaterial::encode(std::span<const Rgb> samples, std::span<float> 
         if (!deltaE.empty()) {
             std::ranges::copy(ladder_.leftOutErrors(whole, restored), deltaE.begin());
         }
-        return whole;
+        return isAlone_ ? codesOfCenter(whole) : whole;
     }
     const bool hasSteps = ladder_.ranks().size() > 1;
     std::vector<float> errors(whole.count());
@@ -318,6 +348,24 @@ TexelCodes PriorMaterial::encode(std::span<const Rgb> samples, std::span<float> 
         ladder_.choose(whole, codes, restored, deltaE.empty() ? std::span(errors) : deltaE);
     }
     if (hasSteps) cutToRanks(whole, codes);
+    return codes;
+}
+
+/// The centre is all that it is asked for, up to the rounding of its logarithms.
+TexelCodes PriorMaterial::codesOfCenter(const TexelCodes& whole) const {
+    constexpr float kRounding = 1e-4F;
+    TexelCodes codes;
+    codes.stride = 1;
+    codes.scales = whole.scales;
+    codes.ranks.assign(whole.count(), 1);
+    for (std::size_t i = 0; i < rule_.logVectors(); ++i) codes.logs[i].resize(whole.count());
+    for (std::size_t c = 0; c < rule_.chromaVectors(); ++c) codes.chroma[c].resize(whole.count());
+    for (std::size_t i = 0; i < whole.logs[0].size(); ++i) {
+        if (whole.scales[i / whole.stride].luminance > 0 &&
+            std::abs(whole.logs[0][i]) > kRounding) {
+            throw std::logic_error("a material of one texel was asked for another");
+        }
+    }
     return codes;
 }
 

@@ -52,7 +52,7 @@ class PriorMaterial {
     double shownExposure() const { return shownExposure_; }
 
   private:
-    /// The whole maps from samples to rows.
+    /// The whole maps from samples to rows; for a centre that is alone, of one column of zeros.
     struct Whole {
         Eigen::MatrixXf luminance;
         Eigen::MatrixXf chroma;
@@ -68,6 +68,7 @@ class PriorMaterial {
                       double shown, const std::vector<Eigen::MatrixX3d>& kriged);
     Whole wholeMaps(const PriorModel& model, std::span<const std::size_t> rowOf,
                     const Eigen::MatrixX3d& colors, const ChromaKriging& kriging) const;
+    TexelCodes codesOfCenter(const TexelCodes& whole) const;
     void buildModel(const PriorModel& model, const ChromaKriging& kriging, Whole whole,
                     const ReconstructOptions& options);
     static Eigen::VectorXd rowWeights(const Whole& whole, std::span<const double> weights);
@@ -79,6 +80,7 @@ class PriorMaterial {
     std::vector<PriorTerm> terms_;
     std::optional<CensoredSamples> censored_;  ///< Where samples may be clipped.
     TexelRule rule_;
+    bool isAlone_ = false;  ///< Are there no texels but the centre?
     PriorEncoder encoder_;
     PackedMatrix luminanceProjection_;  ///< Without columns where codes stay whole.
     PackedMatrix chromaProjection_;

@@ -28,6 +28,9 @@ struct ReconstructOptions {
     /// Mean CIE 1976 Delta E that is good enough: each texel takes the smallest model whose
     /// estimated error is within it. 0: the whole model.
     double tolerance = 0;
+    /// The mean is the only texel: no other may be asked for, and no maps for others are made. For
+    /// whole models of a fixed rank.
+    bool alone = false;
     bool perTexel = false;  ///< Choose the model anew for each texel: slow, and a little better.
     /// How much each output pair matters, their sum is 1; empty: all alike. Ranks and estimated
     /// errors are meant so.

@@ -4,6 +4,7 @@
 #include "abrdf/content_hash.h"
 #include "abrdf/output_file.h"
 #include "abrdf/pair_features.h"
+#include "abrdf/zeroed_vector.h"
 
 #include <fmt/format.h>
 
@@ -183,7 +184,7 @@ PriorModel readModel(const std::filesystem::path& path) {
         throw std::runtime_error(
             fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
     }
-    std::vector<char> bytes(static_cast<std::size_t>(stream.tellg()));
+    ZeroedVector<char> bytes(static_cast<std::size_t>(stream.tellg()));
     stream.seekg(0);
     Reader reader(bytes, path.string());
     constexpr std::size_t kHead = sizeof kMagic + sizeof(std::uint64_t);

@@ -3,6 +3,7 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/random.h"
+#include "abrdf/register_bytes.h"
 
 #include <doctest/doctest.h>
 
@@ -31,12 +32,15 @@ Eigen::MatrixXf slowProduct(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) 
 
 TEST_SUITE_BEGIN("unit");
 
-TEST_CASE("a product has the bits of its slow twin, for all sizes") {
-    for (const Eigen::Index rows : {1, 31, 32, 33, 100}) {
-        for (const Eigen::Index vectors : {1, 2, 3, 7, 8, 9, 25}) {
-            const Eigen::MatrixXf a = randomMatrix(rows, 17);
-            const Eigen::MatrixXf b = randomMatrix(17, vectors);
-            CHECK(product(a, b) == slowProduct(a, b));
+TEST_CASE("a product has the bits of its slow twin, for all sizes and registers") {
+    for (const int bytes : {16, 32, 64}) {
+        const RegisterLimit limit(bytes);
+        for (const Eigen::Index rows : {1, 31, 32, 33, 100}) {
+            for (const Eigen::Index vectors : {1, 2, 3, 7, 8, 9, 25}) {
+                const Eigen::MatrixXf a = randomMatrix(rows, 17);
+                const Eigen::MatrixXf b = randomMatrix(17, vectors);
+                CHECK(product(a, b) == slowProduct(a, b));
+            }
         }
     }
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/texel_colors.h"
 
+#include "abrdf/register_bytes.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -40,13 +43,14 @@ struct Numbers {
     }
 };
 
-}  // namespace
-
-TEST_SUITE_BEGIN("unit");
-
-TEST_CASE("colours of many rows have the bits of one at a time, for every blend and odd counts") {
+void checkColors(int bytes) {
+    const RegisterLimit limit(bytes);
     for (const std::size_t count : {1U, 7U, 255U, 256U, 700U}) {
         Numbers numbers(count);
+        // Past the bounds of the exponential, and of an unreal texel.
+        numbers.lists[0][0] = 1e9F;
+        numbers.lists[1][0] = -1e9F;
+        numbers.lists[2][count / 2] = std::numeric_limits<float>::quiet_NaN();
         for (const float blend : {0.0F, 0.25F, 0.5F, 1.0F}) {
             for (const Rgb channel : {Rgb{0.5F, 0.3F, 0.2F}, Rgb{0, 0.3F, 0.2F}, Rgb{}}) {
                 TexelRows rows = numbers.rows;
@@ -68,6 +72,16 @@ TEST_CASE("colours of many rows have the bits of one at a time, for every blend 
             }
         }
     }
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("unit");
+
+TEST_CASE(
+    "colours of many rows have the bits of one at a time, for every blend, odd counts and all "
+    "registers") {
+    for (const int bytes : {16, 32, 64}) checkColors(bytes);
 }
 
 TEST_CASE("a colour's channels have the luminance of its logarithm in the mean") {

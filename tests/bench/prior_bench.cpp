@@ -27,8 +27,8 @@ using abrdf::AngularGrid;
 using abrdf::PriorMaterial;
 using abrdf::Rgb;
 
-constexpr std::size_t kBlock = 32;    ///< Texels that the stage does together.
-constexpr std::size_t kTexels = 512;  ///< Of the runs on all cores.
+constexpr std::size_t kBlock = 32;     ///< Texels that the stage does together.
+constexpr std::size_t kTexels = 4096;  ///< Of the runs on all cores: more halfs than caches hold.
 constexpr std::size_t kRounds = 9;
 
 const AngularGrid& grid() {

@@ -3,7 +3,8 @@
 // Whole maps as a program against what they cannot avoid: decoding the images, writing the bytes,
 // compressing them. Then how time and memory grow with the texels, what a second thread brings, and
 // two shards at once beside one run.
-//   scale_bench DATABASE.zip [TEXELS=256]      from: abrdf demo DATABASE.zip --size 256
+//   scale_bench DATABASE.zip [TEXELS=256 [PART]]      from: abrdf demo DATABASE.zip --size 256
+// PART: measured, rank, full, one, growth or threads alone.
 #include "abrdf/output_file.h"
 #include "pipeline/child_process.h"
 #include "stages/read/atlas_tiles.h"
@@ -168,15 +169,23 @@ void printAgainst(const std::string& what, double seconds, const std::string& li
     std::cout.flush();
 }
 
-void againstLimits(const Bench& bench) {
+void oneTexel(const Bench& bench) {
+    const double decode = decodeAlone(bench, "prior", "greedy:204");
+    printAgainst("1x1, --plan greedy:204", bench.convert("--plan greedy:204", 4 * kRounds).seconds,
+                 "decode", decode);
+}
+
+void againstLimits(const Bench& bench, const std::string& part) {
     struct Case {
+        const char* name;
         const char* options;
         const char* method;
         const char* plan;
     };
-    for (const Case& c : {Case{"--method measured", "measured", ""},
-                          Case{"--plan greedy:52 --rank 16", "prior", "greedy:52"},
-                          Case{"--plan greedy:204", "prior", "greedy:204"}}) {
+    for (const Case& c : {Case{"measured", "--method measured", "measured", ""},
+                          Case{"rank", "--plan greedy:52 --rank 16", "prior", "greedy:52"},
+                          Case{"full", "--plan greedy:204", "prior", "greedy:204"}}) {
+        if (!part.empty() && part != c.name) continue;
         const double decode = decodeAlone(bench, c.method, c.plan);
         const std::string options = fmt::format("{} --texels {} ", c.options, bench.texels);
         const auto plain = bench.convert(options + "--compression none");
@@ -191,9 +200,6 @@ void againstLimits(const Bench& bench) {
                    plain.report["time"]["read"].get<double>(),
                    plain.report["time"]["write"].get<double>(), plain.megabytes);
     }
-    const double decode = decodeAlone(bench, "prior", "greedy:204");
-    printAgainst("1x1, --plan greedy:204", bench.convert("--plan greedy:204").seconds, "decode",
-                 decode);
 }
 
 /// Time and memory over the texels, and the exponent of the time between the first and the last.
@@ -248,7 +254,8 @@ void threadsAndShards(const Bench& bench) {
 
 int main(int argc, char** argv) {
     try {
-        if (argc < 2) throw std::runtime_error("usage: scale_bench DATABASE.zip [TEXELS=256]");
+        if (argc < 2)
+            throw std::runtime_error("usage: scale_bench DATABASE.zip [TEXELS=256 [PART]]");
         setenv("TZ", "UTC0", 0);  // As the program does.
         const int size = argc > 2 ? std::stoi(argv[2]) : 256;
         const fs::path program =
@@ -257,9 +264,11 @@ int main(int argc, char** argv) {
             fs::temp_directory_path() / ("abrdf_bench_" + std::to_string(getpid()));
         fs::create_directories(folder);
         const Bench bench{program, fs::absolute(argv[1]), folder, fmt::format("{0}x{0}", size)};
-        againstLimits(bench);
-        growth(bench, size);
-        threadsAndShards(bench);
+        const std::string part = argc > 3 ? argv[3] : "";
+        againstLimits(bench, part);
+        if (part.empty() || part == "one") oneTexel(bench);
+        if (part.empty() || part == "growth") growth(bench, size);
+        if (part.empty() || part == "threads") threadsAndShards(bench);
         fs::remove_all(folder);
         return 0;
     } catch (const std::exception& error) {

@@ -85,6 +85,32 @@ TEST_CASE("shards, merged in any order, are the single run to the byte, in both 
     }
 }
 
+TEST_CASE("one shard of one is the whole atlas, and merging it keeps its bytes") {
+    const TemporaryFolder folder;
+    writeStack(folder.path());
+    for (const AtlasKind kind : {AtlasKind::kAngular, AtlasKind::kSpatial}) {
+        ConvertOptions options = jobOn(folder.path());
+        options.layout = kind;
+        options.output = folder.path() / "single.exr";
+        const auto single = convert(options, {});
+        options.shard = shardFromText("1/1");
+        options.output = folder.path() / "part1of1.exr";
+        convert(options, {});
+        MergeOptions merging;
+        merging.shards = {options.output};
+        merging.output = folder.path() / "merged.exr";
+        const auto merged = merge(merging, {});
+        CHECK(bytesOf(merging.output) == bytesOf(folder.path() / "single.exr"));
+        CHECK(merged["shards"] == 1);
+        CHECK(merged["texels"] == nlohmann::ordered_json{6, 11});
+        CHECK(merged["counts"]["nonfinite"] == single["counts"]["nonfinite"]);
+        CHECK(merged["output"]["bytes"] == fs::file_size(merging.output));
+        merging.output = merging.shards[0];  // Into itself.
+        merge(merging, {});
+        CHECK(bytesOf(merging.output) == bytesOf(folder.path() / "single.exr"));
+    }
+}
+
 TEST_CASE("shards that are missing, there twice, or of another job are refused by name") {
     const TemporaryFolder folder;
     writeStack(folder.path());
@@ -107,8 +133,10 @@ TEST_CASE("shards that are missing, there twice, or of another job are refused b
     CHECK(fault.find("cosine was") != std::string::npos);
     other.shard = {};
     convert(other, {});
-    merging.shards = {other.output};
-    CHECK(faultOf(merging).find("no shard") != std::string::npos);
+    merging.shards = {parts[0], other.output, parts[2]};
+    CHECK(faultOf(merging).find("other.exr: is a whole atlas") != std::string::npos);
+    merging.shards = {parts[0]};
+    CHECK(faultOf(merging).find("missing: 2, 3") != std::string::npos);
     CHECK_FALSE(fs::exists(merging.output));
 }
 

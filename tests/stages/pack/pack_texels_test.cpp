@@ -3,6 +3,7 @@
 
 #include "abrdf/angular_grid.h"
 #include "abrdf/packed_lines.h"
+#include "abrdf/register_bytes.h"
 
 #include <doctest/doctest.h>
 #include <half.h>
@@ -75,6 +76,34 @@ PackOptions keep() {
     return {ColorConfig::load().transform("scene_linear", "scene_linear"), false};
 }
 
+void checkHalfs(const std::vector<Rgb>& colors, int registerBytes) {
+    const RegisterLimit limit(registerBytes);
+    std::vector<std::uint16_t> halfs(3 * colors.size());
+    CHECK(halfsFrom(colors.data(), colors.size(), halfs.data()) == 0);
+    std::vector<char> lines(halfs.size() * 2);
+    const std::size_t plane = 2 * colors.size();
+    CHECK(packLines(colors.data(), 1, colors.size(), PixelType::kHalf, {lines.data(), plane, 0}) ==
+          0);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const std::uint16_t wanted[] = {half(colors[i].r).bits(), half(colors[i].g).bits(),
+                                        half(colors[i].b).bits()};
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::uint16_t packed = 0;
+            std::memcpy(&packed, lines.data() + (2 - c) * plane + 2 * i, sizeof packed);
+            wrong += halfs[3 * i + c] == wanted[c] && packed == wanted[c] ? 0U : 1U;
+        }
+    }
+    CHECK(wrong == 0);
+
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    const std::vector<Rgb> past = {{1, 65505, 1}, {kInfinite, 0, 0}, {-1e9F, 0, 0}, {1, 1, 1}};
+    CHECK(halfsFrom(past.data(), past.size(), halfs.data()) == 3);
+    CHECK(halfs[1] == half(65504.0F).bits());
+    CHECK(halfs[3] == half(65504.0F).bits());
+    CHECK(halfs[6] == half(-65504.0F).bits());
+}
+
 }  // namespace
 
 TEST_SUITE_BEGIN("unit");
@@ -123,30 +152,7 @@ TEST_CASE("halfs are those of Imath, for every kind of float; what none can hold
         if (!(std::fabs(value) <= 65504)) continue;
         colors.push_back({value, -value, value / 3});
     }
-    std::vector<std::uint16_t> halfs(3 * colors.size());
-    CHECK(halfsFrom(colors.data(), colors.size(), halfs.data()) == 0);
-    std::vector<char> lines(halfs.size() * 2);
-    const std::size_t plane = 2 * colors.size();
-    CHECK(packLines(colors.data(), 1, colors.size(), PixelType::kHalf, {lines.data(), plane, 0}) ==
-          0);
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const std::uint16_t wanted[] = {half(colors[i].r).bits(), half(colors[i].g).bits(),
-                                        half(colors[i].b).bits()};
-        for (std::size_t c = 0; c < 3; ++c) {
-            std::uint16_t packed = 0;
-            std::memcpy(&packed, lines.data() + (2 - c) * plane + 2 * i, sizeof packed);
-            wrong += halfs[3 * i + c] == wanted[c] && packed == wanted[c] ? 0U : 1U;
-        }
-    }
-    CHECK(wrong == 0);
-
-    constexpr float kInfinite = std::numeric_limits<float>::infinity();
-    const std::vector<Rgb> past = {{1, 65505, 1}, {kInfinite, 0, 0}, {-1e9F, 0, 0}, {1, 1, 1}};
-    CHECK(halfsFrom(past.data(), past.size(), halfs.data()) == 3);
-    CHECK(halfs[1] == half(65504.0F).bits());
-    CHECK(halfs[3] == half(65504.0F).bits());
-    CHECK(halfs[6] == half(-65504.0F).bits());
+    for (const int bytes : {16, 32, 64}) checkHalfs(colors, bytes);
 }
 
 TEST_CASE("dividing by the cosine makes a Lambertian 1, and stays finite near grazing") {

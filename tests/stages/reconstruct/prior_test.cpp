@@ -3,6 +3,7 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/pair_features.h"
 #include "abrdf/random.h"
+#include "abrdf/register_bytes.h"
 #include "stages/measure/measures.h"
 #include "stages/reconstruct/leave_out.h"
 #include "stages/reconstruct/low_rank.h"
@@ -103,6 +104,9 @@ TEST_CASE("the map of a mixture is its slow twin in double precision") {
         const PriorMap map = priorMap(model, terms, model.outputs, isotropic.rowOf);
         const Eigen::VectorXf x = map.offset + map.matrix * z.cast<float>();
         CHECK((x.cast<double>() - slowLogs(model, terms, z)).cwiseAbs().maxCoeff() < 2e-3);
+        const Eigen::MatrixXd vectors = z;
+        const PriorMap ofOne = priorMap(model, terms, model.outputs, isotropic.rowOf, &vectors);
+        CHECK((ofOne.offset + ofOne.matrix - x).cwiseAbs().maxCoeff() < 1e-3F);
     }
 }
 
@@ -272,6 +276,43 @@ TEST_CASE("a low rank is exact for the material's mean, and costs less") {
           0.5 * PriorMaterial(model, rows(), samples, {}).multiplyAdds());
 }
 
+TEST_CASE("a texel that is alone needs no maps for its ABRDF and its estimate") {
+    const auto brushed = [](const LightAndView& pair) {
+        const double turn = pair.light.phi + pair.view.phi;
+        return (1.5F + static_cast<float>(std::cos(turn))) * plastic(pair);
+    };
+    const auto black = [](const LightAndView&) { return Rgb{}; };
+    const auto red = [](const LightAndView& pair) { return Rgb{plastic(pair).r, 0, 0}; };
+    const PriorModel& model = *smallPrior().model;
+    for (const std::function<Rgb(const LightAndView&)>& material :
+         {std::function<Rgb(const LightAndView&)>(plastic),
+          std::function<Rgb(const LightAndView&)>(brushed),
+          std::function<Rgb(const LightAndView&)>(black),
+          std::function<Rgb(const LightAndView&)>(red)}) {
+        for (const double saturated : {0.0, 0.3}) {
+            const std::vector<Rgb> samples = smallPrior().samplesOf(material);
+            const PriorMaterial whole(model, rows(), samples, {.saturated = saturated});
+            const PriorMaterial alone(model, rows(), samples,
+                                      {.saturated = saturated, .alone = true});
+            CHECK(alone.model().columns() == 1);
+            std::vector<Rgb> wanted(smallPrior().grid.pairCount());
+            std::vector<Rgb> found(wanted.size());
+            float wantedError = 0;
+            float foundError = 0;
+            whole.model().evaluate(whole.encode(samples, {&wantedError, 1}), wanted);
+            alone.model().evaluate(alone.encode(samples, {&foundError, 1}), found);
+            CHECK(foundError == doctest::Approx(wantedError).epsilon(1e-4));
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                CHECK(found[i].r == doctest::Approx(wanted[i].r).epsilon(2e-6));
+                CHECK(found[i].g == doctest::Approx(wanted[i].g).epsilon(2e-6));
+                CHECK(found[i].b == doctest::Approx(wanted[i].b).epsilon(2e-6));
+            }
+        }
+    }
+    const PriorMaterial alone(model, rows(), smallPrior().samplesOf(plastic), {.alone = true});
+    CHECK_THROWS_AS(alone.encode(smallPrior().samplesOf(brushed)), std::logic_error);
+}
+
 TEST_CASE("basis and projection of full rank are the map, and the first numbers are the best") {
     Random random(3);
     Eigen::MatrixXf matrix(40, 9);
@@ -430,6 +471,34 @@ TEST_CASE("a model of other samples or another grid is refused") {
     CHECK_THROWS_AS(methodFromName("prior").make(task), std::invalid_argument);
     task.prior = nullptr;
     CHECK_THROWS_AS(methodFromName("prior").make(task), std::invalid_argument);
+}
+
+TEST_CASE("an ABRDF and its estimate have the same bits with the registers of every processor") {
+    const SmallPrior& prior = smallPrior();
+    for (const int rank : {0, 8}) {
+        std::vector<Rgb> first;
+        std::vector<float> firstEstimates;
+        for (const int bytes : {16, 32, 64}) {
+            const RegisterLimit limit(bytes);
+            ReconstructionTask task = taskFor(prior.samplesOf(plastic));
+            task.options.rank = rank;
+            const auto reconstructor = methodFromName("prior").make(task);
+            AbrdfTile samples(3, prior.samples.count());
+            for (std::size_t t = 0; t < samples.texelCount(); ++t) {
+                for (std::size_t k = 0; k < samples.valuesPerTexel(); ++k) {
+                    samples[t][k] = (0.2F + 0.1F * static_cast<float>((t * 7 + k * 3) % 5)) *
+                                    plastic(prior.samples.directions[k]);
+                }
+            }
+            const ReconstructedTexels texels =
+                reconstructTexels(samples, prior.grid, *reconstructor);
+            const auto values = texels.abrdfs.values();
+            if (first.empty()) first.assign(values.begin(), values.end());
+            if (firstEstimates.empty()) firstEstimates = texels.estimates;
+            CHECK(std::ranges::equal(values, first));
+            CHECK(texels.estimates == firstEstimates);
+        }
+    }
 }
 
 TEST_SUITE_END();
