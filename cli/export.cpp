@@ -5,9 +5,14 @@
 #include "pipeline/scene_program.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace abrdf {
 
@@ -40,8 +45,14 @@ int runScene(const ExportJob& job, SceneJob scene, const std::string& light,
     if (!light.empty()) {
         char comma = 0;
         std::istringstream stream(light);
-        if (!(stream >> scene.lightAzimuth >> comma >> scene.lightElevation) || comma != ',') {
-            throw std::invalid_argument("write --light AZIMUTH,ELEVATION in degrees");
+        if (!(stream >> scene.lightAzimuth >> comma >> scene.lightElevation) || comma != ',' ||
+            stream.peek() != std::char_traits<char>::eof() ||
+            !(std::abs(scene.lightAzimuth) <= 360) ||
+            !(scene.lightElevation > 0 && scene.lightElevation <= 90)) {
+            throw std::invalid_argument(fmt::format(
+                "'{}' is no light: it is AZIMUTH,ELEVATION in degrees, as -35,45, the azimuth "
+                "within -360 .. 360 and the elevation above 0, up to 90",
+                light));
         }
     }
     const auto report = exportScene(scene, progress);
@@ -52,6 +63,48 @@ int runScene(const ExportJob& job, SceneJob scene, const std::string& light,
     }
     deliver(report, shared.quiet ? "" : text, shared);
     return 0;
+}
+
+/// CLI::Range lets pass what is not a number.
+CLI::Validator finiteRange(double low, double high) {
+    return {[=](const std::string& text) {
+                double value = 0;
+                const bool isInside =
+                    CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+                return isInside
+                           ? std::string()
+                           : fmt::format("Value {} not in range {:g} to {:g}", text, low, high);
+            },
+            fmt::format("in [{:g} - {:g}]", low, high)};
+}
+
+/// Options that only some formats have, and those formats.
+struct FormatOption {
+    const char* name;
+    std::vector<std::string> formats;
+};
+const std::vector<FormatOption>& formatOptions() {
+    static const std::vector<FormatOption> options = {
+        {"--utia-encoding", {"utia-bin", "utia-exr"}},
+        {"--tolerance", {"rgl", "radiance", "astm", "ssdd", "mitsuba", "pbrt"}},
+        {"--spectra", {"rgl"}},
+        {"--cull", {"radiance"}},
+        {"--resolution", {"rgl", "radiance", "mitsuba", "pbrt"}},
+    };
+    return options;
+}
+
+/// An option that would say nothing about what is written is a mistake.
+void checkOptions(const CLI::App& command, const std::string& wanted) {
+    for (const FormatOption& option : formatOptions()) {
+        if (command.count(option.name) == 0) continue;
+        if (std::ranges::find(option.formats, wanted) != option.formats.end()) continue;
+        throw CLI::ValidationError(option.name, fmt::format("is not for {}: it is for {}", wanted,
+                                                            fmt::join(option.formats, ", ")));
+    }
+    if (wanted == "blender" && command.count("--texel") > 0) {
+        throw CLI::ValidationError("--texel", "is not for blender, which shows the whole map");
+    }
 }
 
 std::string formatNames() {
@@ -93,17 +146,18 @@ void addExport(CLI::App& app, RunCommand& runCommand) {
         "--texel", [job](const std::string& name) { job->texel = texelPlaceFromName(name); },
         "X,Y from the top left, instead of the mean over all texels");
     command
-        ->add_option("--tolerance", job->options.tolerance,
-                     "of rgl and radiance: mean Delta E between turns of the sample up to which "
-                     "it is isotropic")
-        ->check(CLI::NonNegativeNumber)
+        ->add_option(
+            "--tolerance", job->options.tolerance,
+            "of rgl, radiance, astm and ssdd: mean Delta E between turns of the sample up to which "
+            "it is isotropic")
+        ->check(finiteRange(0, 100))
         ->capture_default_str();
     command->add_flag("--spectra", job->options.spectra,
                       "of rgl: smooth spectra beside RGB, as Mitsuba and pbrt ask for");
     command
         ->add_option("--cull", job->options.cull,
                      "of radiance: percent of a tree's leaves that are merged")
-        ->check(CLI::Range(0, 100))
+        ->check(finiteRange(0, 100))
         ->capture_default_str();
     command
         ->add_option("--resolution", job->options.resolution,
@@ -111,10 +165,11 @@ void addExport(CLI::App& app, RunCommand& runCommand) {
                      "anisotropic); of radiance: cells a side, a power of two")
         ->check(CLI::Range(8, 512));
     addGrazingOption(*command, job->grazing);
-    command->callback([job, scene, light, &runCommand] {
+    command->callback([job, scene, light, command, &runCommand] {
         if (job->format.empty() == scene->program.empty()) {
             throw CLI::RequiredError("--to FORMAT or --scene PROGRAM");
         }
+        checkOptions(*command, job->format.empty() ? scene->program : job->format);
         runCommand = [job, scene, light](const SharedOptions& shared,
                                          const ProgressSink& progress) {
             if (!scene->program.empty()) return runScene(*job, *scene, *light, shared, progress);

@@ -146,12 +146,19 @@ ordered_json exportScene(const SceneJob& job, const ProgressSink& progress) {
                         fmt::format(" {}", fmt::join(scenePrograms(), " "))));
     }
     std::error_code error;
-    fs::create_directories(job.material.output, error);
+    const bool isNew = fs::create_directories(job.material.output, error);
     if (error) {
         throw std::runtime_error(fmt::format("{}: cannot be made as a folder: {}",
                                              job.material.output.string(), error.message()));
     }
-    return job.program == "blender" ? writeBlenderScene(job) : writeScene(*found, job, progress);
+    try {
+        return job.program == "blender" ? writeBlenderScene(job)
+                                        : writeScene(*found, job, progress);
+    } catch (...) {
+        // Goes only where it is empty.
+        if (isNew) fs::remove(job.material.output, error);
+        throw;
+    }
 }
 
 }  // namespace abrdf

@@ -9,7 +9,7 @@ mkdir -p "$folder"
 atlas=${1:-$folder/cloth.exr}
 if [ ! -e "$atlas" ]; then
     [ -e "$folder/cloth" ] || "$abrdf" demo "$folder/cloth"
-    "$abrdf" convert "$folder/cloth" -o "$atlas"
+    "$abrdf" convert "$folder/cloth" -o "$atlas" --texels 32x32
 fi
 render() { # PROGRAM COMMAND
     "$abrdf" export "$atlas" --scene "$1" -o "$folder/$1"

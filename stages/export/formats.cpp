@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 // A new format is one file in this folder and one line in each of these two lists.
 using WriteFormat = ExportReport(const fs::path& path, const ExportSource& source,
                                  const ExportOptions& options);
-WriteFormat writeUtiaBin, writeUtiaExr, writeMerl, writeRgl, writeRadiance, writeAstm;
+WriteFormat writeUtiaBin, writeUtiaExr, writeMerl, writeRgl, writeRadiance, writeAstm, writeSsdd;
 
 namespace {
 
@@ -25,6 +25,7 @@ constexpr std::array kFormats{
     ExportFormat{"rgl", "RGL .bsdf tensor file", writeRgl},
     ExportFormat{"radiance", "Radiance BSDF: XML of tensor trees", writeRadiance},
     ExportFormat{"astm", "ASTM E1392 text: angles and BRDF, a row a pair", writeAstm},
+    ExportFormat{"ssdd", "SSDD 0.2 text: lists of angles and the BRDF", writeSsdd},
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ struct Shape {
     std::vector<float> thetas;  ///< 0 .. pi/2.
 };
 
-const Shape kIsotropic{true, 1, 128, 128, radiansFromDegrees(3), {}};
+const Shape kIsotropic{true, 1, 128, 128, radiansFromDegrees(1.5), {}};
 const Shape kIsotropicSampled{true, 1, 128, 64, radiansFromDegrees(5), {}};
 const Shape kAnisotropic{false, 25, 64, 32, radiansFromDegrees(7.5), {}};
 constexpr std::size_t kDistributionPhis = 65;

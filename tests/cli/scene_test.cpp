@@ -12,7 +12,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 using namespace abrdf;
 namespace fs = std::filesystem;
@@ -30,6 +33,15 @@ fs::path glossyMap(const fs::path& folder) {
     };
     writeAtlas(folder / "map.exr", syntheticAtlas(AngularGrid(ubo81Directions()), 2, 2, value));
     return folder / "map.exr";
+}
+
+std::vector<std::string> filesIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    return names;
 }
 
 /// R, G, B, A of part 0.
@@ -85,6 +97,47 @@ TEST_CASE("a scene of an unknown renderer, or one beside a format, is refused") 
     CHECK(texel.status == 1);
     CHECK(texel.err.find("2 x 2 texels") != std::string::npos);
     CHECK_FALSE(fs::exists(folder.path() / "x"));
+}
+
+TEST_CASE("what an export cannot take is one sentence, and leaves nothing behind") {
+    const TemporaryFolder folder;
+    glossyMap(folder.path());
+    REQUIRE(runProgram(folder.path(),
+                       "convert map.exr -o few.exr --method measured --grid regular:2x4 -q")
+                .status == 0);
+    const auto before = filesIn(folder.path());
+    struct Wrong {
+        const char* call;
+        int status;
+        const char* says;
+    };
+    for (const Wrong& wrong : {
+             Wrong{"few.exr --to rgl -o x", 1, "8 lights by 8 views are too few"},
+             {"few.exr --to ssdd -o x", 1, "too few"},
+             {"few.exr --scene pbrt -o x", 1, "too few"},
+             {"map.exr --to rgl --cull 50 -o x", 2, "--cull: is not for rgl: it is for radiance"},
+             {"map.exr --to merl --spectra -o x", 2, "is not for merl"},
+             {"map.exr --to merl --resolution 64 -o x", 2, "is not for merl"},
+             {"map.exr --to rgl --utia-encoding srgb -o x", 2, "is not for rgl"},
+             {"map.exr --scene pbrt --cull 10 -o x", 2, "is not for pbrt"},
+             {"map.exr --scene blender --texel 0,0 -o x", 2, "is not for blender"},
+             {"map.exr --scene blender --light 0,95 -o x", 2, "is no light"},
+             {"map.exr --scene blender --light 0,-5 -o x", 2, "is no light"},
+             {"map.exr --scene blender --light 0,45,3 -o x", 2, "is no light"},
+             {"map.exr --scene blender --light nan,45 -o x", 2, "is no light"},
+             {"map.exr --to rgl --tolerance nan -o x", 2, "--tolerance"},
+             {"map.exr --to rgl --tolerance -1 -o x", 2, "in range 0 to 100"},
+             {"map.exr --to radiance --cull nan -o x", 2, "--cull"},
+             {"map.exr --to radiance --resolution 24 -o x", 2, "8, 16, 32 cells a side, not 24"},
+             {"map.exr --to rgl --texel 1.5,0 -o x", 2, "is no texel"},
+             {"map.exr --to rgl -o absent/x", 1, "does not exist"},
+         }) {
+        CAPTURE(wrong.call);
+        const ProgramRun run = runProgram(folder.path(), std::string("export ") + wrong.call);
+        CHECK(run.status == wrong.status);
+        CHECK(run.err.find(wrong.says) != std::string::npos);
+        CHECK(filesIn(folder.path()) == before);
+    }
 }
 
 TEST_CASE("Blender shows the atlas as the preview does") {

@@ -11,10 +11,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 using namespace abrdf;
 namespace fs = std::filesystem;
@@ -164,12 +167,73 @@ TEST_CASE("an ASTM file is a row a pair, angles in radians and the BRDF") {
     CHECK(write("astm", path, Anisotropic()).values == 6 * 24 * 17 * 24);
 }
 
+TEST_CASE(
+    "an SSDD file is lists of angles in degrees and the BRDF, the light's elevation the fastest") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "m.ssdd";
+    for (const bool isotropic : {true, false}) {
+        CAPTURE(isotropic);
+        const ExportReport report =
+            isotropic ? write("ssdd", path, Isotropic()) : write("ssdd", path, Anisotropic());
+        CHECK(report.details["isotropic"] == isotropic);
+        std::istringstream text(bytesOf(path));
+        std::string line;
+        std::getline(text, line);
+        CHECK(line == "VERSION 0.2");
+        std::array<std::vector<double>, 4> angles;
+        std::string order;
+        while (std::getline(text, line) && line != "DATA ascii") {
+            if (line.empty()) continue;
+            std::istringstream entry(line);
+            std::string key;
+            entry >> key;
+            order += key + " ";
+            if (!key.starts_with("PARAM") || key == "PARAM_TYPE") continue;
+            std::vector<double>& list = angles.at(static_cast<std::size_t>(key[5] - '0'));
+            for (double angle = 0; entry >> angle;) list.push_back(angle);
+            CHECK(std::ranges::is_sorted(list));
+        }
+        CHECK(order == std::string("SOFTWARE DATA_TYPE COLOR_MODEL PARAM_TYPE PARAM0_LIST ") +
+                           (isotropic ? "" : "PARAM1_LIST ") +
+                           "PARAM2_LIST PARAM3_LIST NAME SOURCE_TYPE ");
+        if (isotropic) angles[1] = {0};
+        CHECK(angles[3].back() == 360);
+        double worst = 0;
+        std::size_t rows = 0;
+        for (const double pv : angles[3]) {
+            for (const double tv : angles[2]) {
+                for (const double pl : angles[1]) {
+                    for (const double tl : angles[0]) {
+                        std::array<double, 3> c{};
+                        text >> c[0] >> c[1] >> c[2];
+                        REQUIRE_FALSE(text.fail());
+                        ++rows;
+                        const LightAndView pair = {
+                            {radiansFromDegrees(tl), radiansFromDegrees(std::fmod(pl, 360))},
+                            {radiansFromDegrees(tv), radiansFromDegrees(std::fmod(pv, 360))}};
+                        if (pair.light.theta >= kMax || pair.view.theta >= kMax) continue;
+                        const Rgb value =
+                            isotropic ? Isotropic().evaluate(pair) : Anisotropic().evaluate(pair);
+                        const double f =
+                            static_cast<double>(value.g) / (kPi * std::cos(pair.light.theta));
+                        worst = std::max(worst, std::abs(c[1] / f - 1));
+                    }
+                }
+            }
+        }
+        CHECK(worst < 1e-4);
+        CHECK(rows == (isotropic ? 17U * 17 * 73 : 6U * 25 * 17 * 25));
+        text >> line;
+        CHECK(text.fail());
+    }
+}
+
 TEST_CASE("what is past the range of a format's floats is refused, and leaves no file") {
     struct Huge : BrdfTable {
         Rgb evaluate(const LightAndView&) const override { return {3e38F, 3e38F, 3e38F}; }
     };
     const TemporaryFolder folder;
-    for (const char* format : {"rgl", "radiance"}) {
+    for (const char* format : {"rgl", "radiance", "astm", "ssdd"}) {
         CHECK_THROWS_AS(write(format, folder.path() / "x", Huge()), std::runtime_error);
         CHECK(fs::is_empty(folder.path()));
     }
@@ -180,14 +244,14 @@ TEST_CASE("a format that is not there is refused with the list of those that are
         exportFormatFromName("png");
         FAIL("it passed");
     } catch (const std::invalid_argument& error) {
-        CHECK(std::string(error.what()).find("utia-bin utia-exr merl rgl radiance astm") !=
+        CHECK(std::string(error.what()).find("utia-bin utia-exr merl rgl radiance astm ssdd") !=
               std::string::npos);
     }
 }
 
 TEST_CASE("an export that finds the disk full leaves the old file as it was") {
     const TemporaryFolder folder;
-    for (const char* format : {"utia-bin", "utia-exr", "rgl", "radiance", "astm"}) {
+    for (const char* format : {"utia-bin", "utia-exr", "rgl", "radiance", "astm", "ssdd"}) {
         const fs::path path = folder.path() / "old";
         writeFile(path, "old");
         bool failed = false;

@@ -309,9 +309,7 @@ TEST_CASE("the measured RGL files beside the checkout come back from ours") {
             CHECK(again->table()->evaluate(mirror).g ==
                   doctest::Approx(before.evaluate(mirror).g).epsilon(0.03));
         }
-        // The film's lobe is half a degree wide, and off it there is the noise of 32 x 32 samples.
-        const bool isMirror = entry.path().filename() == "chm_orange_rgb.bsdf";
-        CHECK(difference / weighted < (isMirror ? 0.015 : 0.01));
+        CHECK(difference / weighted < 0.01);
         CHECK(energyAfter == doctest::Approx(energyBefore).epsilon(2e-3));
         const RglSamples file(path);
         CHECK(file.integral(0, 7, 700).density == doctest::Approx(1).epsilon(1e-3));
