@@ -59,8 +59,9 @@ TEST_CASE("every method that solves a system is its twin in longer floats, but f
     std::string withTwin;
     for (const Method& method : methods()) {
         if (method.twin == nullptr) continue;
-        withTwin += std::string(method.name) + " ";
-        CAPTURE(method.name);
+        const std::string name = method.name;
+        withTwin += name + " ";
+        CAPTURE(name);
         double condition = 0;
         const double difference = differenceOf(method, condition);
         CHECK(difference < 1e-4);
