@@ -6,6 +6,7 @@
 #include "abrdf/pair_features.h"
 #include "pipeline/json_text.h"
 #include "pipeline/stress_trial.h"
+#include "stages/measure/conditioning_figure.h"
 #include "stages/measure/gnuplot.h"
 #include "stages/measure/stress_figure.h"
 
@@ -127,7 +128,7 @@ class CaseRun {
             // Every method sees the same noise; every material and step another.
             const std::uint64_t seed = hashOf({options_.seed, trial, hashOfName()});
             outcomes_[i] = runStressTrial(methods_[i % methods_.size()], trials[trial], samples[i],
-                                          grid_, models[i], seed);
+                                          grid_, models[i], seed, case_.hasTwin);
             if (progress) progress({case_.name, "trials", ++done, outcomes_.size()});
         });
     }
@@ -193,6 +194,12 @@ ordered_json CaseRun::resultOf(std::size_t method) const {
         row["delta_e"] = std::isfinite(errors.back()) ? ordered_json(errors.back()) : nullptr;
         row["worst"] = std::isfinite(errors.back()) ? ordered_json(worst) : nullptr;
         row["largest"] = largest;
+        if (const auto& twin = outcomes_[step * materials_.size() * methods_.size() + method].twin;
+            twin) {  // Cases with twins bring the one material.
+            row["condition"] = twin->condition;
+            row["twin_delta_e"] = twin->deltaE;
+            row["twin_relative"] = twin->relative;
+        }
         steps.push_back(row);
     }
     const auto broken = breakdownStep(errors);
@@ -226,6 +233,21 @@ StressFigure figureOf(const StressCase& stressCase, const std::vector<ordered_js
     return figure;
 }
 
+std::vector<ConditioningCurve> conditioningCurves(const std::vector<ordered_json>& results) {
+    std::vector<ConditioningCurve> curves;
+    for (const ordered_json& result : results) {
+        ConditioningCurve curve{result["method"], {}};
+        for (const ordered_json& step : result["steps"]) {
+            if (step.contains("twin_delta_e")) {
+                curve.points.push_back({step["condition"], step["twin_delta_e"]});
+            }
+        }
+        std::ranges::stable_sort(curve.points, {}, &ConditioningCurve::Point::condition);
+        if (!curve.points.empty()) curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
 }  // namespace
 
 ordered_json stress(const StressOptions& options, const ProgressSink& progress,
@@ -256,6 +278,12 @@ ordered_json stress(const StressOptions& options, const ProgressSink& progress,
         const fs::path base = options.output / stressCase.name;
         runGnuplot(stressFigureScript(figure, false), fs::path(base) += ".svg");
         runGnuplot(stressFigureScript(figure, true), fs::path(base) += ".png");
+        if (const auto curves = conditioningCurves(results); !curves.empty()) {
+            const std::string title = stressCase.name + ": what rounding does to an answer";
+            const fs::path twins = options.output / (stressCase.name + "-twin");
+            runGnuplot(conditioningFigureScript(title, curves, false), fs::path(twins) += ".svg");
+            runGnuplot(conditioningFigureScript(title, curves, true), fs::path(twins) += ".png");
+        }
         for (ordered_json& result : results) report["results"].push_back(std::move(result));
     }
     writeWholeFile(options.output / "stress.json", jsonText(report, 2) + "\n");

@@ -6,6 +6,7 @@
 #include "stages/slice/slice_texels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -90,6 +91,29 @@ StressOutcome compared(const StressTrial& trial, const AngularGrid& grid,
     return outcome;
 }
 
+/// How far the answer is from the twin's, after both were made lights of.
+void compareWithTwin(std::span<const Rgb> answer, std::span<const Rgb> samples,
+                     const TwinAnswer& twin, double exposure, StressOutcome& outcome) {
+    const auto most = static_cast<double>(mostOfSamples(samples));
+    std::vector<Rgb> rounded;
+    double difference2 = 0;
+    double sum2 = 0;
+    for (std::size_t i = 0; i < answer.size(); ++i) {
+        const std::array<float, 3> own{answer[i].r, answer[i].g, answer[i].b};
+        std::array<double, 3> value = twin.abrdf[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            value[c] = std::clamp(value[c], 0.0, most);
+            difference2 += std::pow(static_cast<double>(own[c]) - value[c], 2);
+            sum2 += value[c] * value[c];
+        }
+        rounded.push_back({static_cast<float>(value[0]), static_cast<float>(value[1]),
+                           static_cast<float>(value[2])});
+    }
+    outcome.twin = TwinDifference{twin.condition,
+                                  measureAccuracy(rounded, answer, {}, {exposure}).natural.deltaE,
+                                  sum2 > 0 ? std::sqrt(difference2 / sum2) : 0};
+}
+
 }  // namespace
 
 SampleSet stressSamples(const StressMethod& method, const StressTrial& trial,
@@ -99,12 +123,14 @@ SampleSet stressSamples(const StressMethod& method, const StressTrial& trial,
         const SamplePlan& own = plan.posterSlices ? plan : method.plan;
         return exactSamples(own.posterSlices->samples());
     }
+    if (trial.exactPlaces) return exactSamples(plan.samples);
     return exactSamples(chooseSamples(plan, grid, SampleWish::kMeasuredPairs).directions);
 }
 
 StressOutcome runStressTrial(const StressMethod& method, const StressTrial& trial,
                              const SampleSet& samples, const AngularGrid& grid,
-                             const std::shared_ptr<const PriorModel>& model, std::uint64_t seed) {
+                             const std::shared_ptr<const PriorModel>& model, std::uint64_t seed,
+                             bool withTwin) {
     Random random(seed);
     ImageStack stack = photographed(trial, samples, random);
     const LeftSamples left = withGaps(method, trial, samples, std::move(stack), random);
@@ -130,6 +156,11 @@ StressOutcome runStressTrial(const StressMethod& method, const StressTrial& tria
         const AbrdfTile answer = reconstructTexels(sliced.samples, output, *reconstructor).abrdfs;
         StressOutcome outcome = compared(trial, output, answer[0], sliced.samples[0]);
         outcome.condition = reconstructor->condition();
+        if (withTwin && method.method->twin != nullptr && reconstructor->remark().empty()) {
+            task.mean.assign(sliced.samples[0].begin(), sliced.samples[0].end());
+            compareWithTwin(answer[0], sliced.samples[0], method.method->twin(task), trial.exposure,
+                            outcome);
+        }
         return outcome;
     } catch (const std::exception& error) {
         StressOutcome refused;

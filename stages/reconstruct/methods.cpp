@@ -19,6 +19,12 @@ std::unique_ptr<Reconstructor> makeNearest(const ReconstructionTask& task);
 std::unique_ptr<Reconstructor> makeConstant(const ReconstructionTask& task);
 std::unique_ptr<Reconstructor> makeMeasured(const ReconstructionTask& task);
 
+// Of those that solve linear systems, the same in longer floats: `<method>_twin.cpp`.
+TwinAnswer priorTwin(const ReconstructionTask& task);
+TwinAnswer publishedTwin(const ReconstructionTask& task);
+TwinAnswer radialBasisTwin(const ReconstructionTask& task);
+TwinAnswer microfacetTwin(const ReconstructionTask& task);
+
 namespace {
 
 constexpr std::array kMethods{
@@ -27,16 +33,18 @@ constexpr std::array kMethods{
     Method{
         "prior",
         "what random materials with these samples show elsewhere, chosen by the samples themselves",
-        "four to six multiply-adds a pair and sample", SampleWish::kMeasuredPairs, true, makePrior},
+        "four to six multiply-adds a pair and sample", SampleWish::kMeasuredPairs, true, makePrior,
+        priorTwin},
     Method{"published", "the poster's method: eight slices, sums of two, radial basis functions",
-           "six multiply-adds a pair", SampleWish::kSlices, false, makePublished},
+           "six multiply-adds a pair", SampleWish::kSlices, false, makePublished, publishedTwin},
     Method{"rbf", "radial basis functions over all samples, linear in the distance of directions",
            "three multiply-adds a pair and sample", SampleWish::kMeasuredPairs, false,
-           makeRadialBasis},
+           makeRadialBasis, radialBasisTwin},
     Method{"idw", "the four nearest samples by inverse squared distance: renderers of BTFs today",
            "twelve multiply-adds a pair", SampleWish::kMeasuredPairs, false, makeInverseDistance},
     Method{"microfacet", "a diffuse body and an anisotropic GGX lobe, fitted to each texel",
-           "some milliseconds a texel", SampleWish::kMeasuredPairs, false, makeMicrofacet},
+           "some milliseconds a texel", SampleWish::kMeasuredPairs, false, makeMicrofacet,
+           microfacetTwin},
     Method{"nearest", "the sample nearest in both directions", "a table look-up a pair",
            SampleWish::kMeasuredPairs, false, makeNearest},
     Method{"constant", "Lambert's law: one colour times cos(theta_i)", "three multiply-adds a pair",

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/reconstruct/microfacet_fit.h"
 
+#include "stages/reconstruct/double_lobe.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace abrdf {
 
@@ -30,6 +34,33 @@ MicrofacetFit fitOf(const Shape& shape) {
     return {{}, {}, std::exp(shape(0)), std::exp(shape(1)), shape(2), std::exp(shape(3))};
 }
 
+/// The lobe that reconstructs.
+struct FloatLobe : PreparedLobe {
+    using Pair = LocalPair;
+    using PreparedLobe::PreparedLobe;
+};
+
+template <class Shine>
+typename Shine::Pair localPair(const LightAndView& pair) {
+    if constexpr (std::is_same_v<Shine, DoubleLobe>) {
+        return pair;
+    } else {
+        return {Imath::V3f(vectorFromDirection(pair.light)),
+                Imath::V3f(vectorFromDirection(pair.view))};
+    }
+}
+
+template <class Shine>
+Shine shineOf(const MicrofacetFit& fit) {
+    if constexpr (std::is_same_v<Shine, DoubleLobe>) {
+        return DoubleLobe(fit);
+    } else {
+        return Shine(fit.lobe());
+    }
+}
+
+/// Shine: FloatLobe or DoubleLobe.
+template <class Shine>
 class Fitting {
   public:
     Fitting(const std::vector<LightAndView>& pairs, std::span<const Rgb> values) {
@@ -42,8 +73,7 @@ class Fitting {
             colors_.row(i) << static_cast<double>(c.r), static_cast<double>(c.g),
                 static_cast<double>(c.b);
             cosines_(i) = std::max(std::cos(light.theta), 0.0);
-            local_.emplace_back(Imath::V3f(vectorFromDirection(light)),
-                                Imath::V3f(vectorFromDirection(view)));
+            local_.push_back(localPair<Shine>({light, view}));
         }
         colors_ = colors_.cwiseMax(0);
         // d(B^1/3) = B^-2/3 / 3 dB; a tenth of the mean keeps the darkest from ruling.
@@ -57,7 +87,7 @@ class Fitting {
 
     /// Weighted residuals of the best colours for a shape; these, where asked for.
     Eigen::VectorXd residuals(const Shape& shape, MicrofacetFit* fit = nullptr) const {
-        const PreparedLobe lobe(fitOf(shape).lobe());
+        const Shine lobe = shineOf<Shine>(fitOf(shape));
         const Eigen::Index n = colors_.rows();
         Eigen::MatrixX2d basis(n, 2);
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -100,7 +130,7 @@ class Fitting {
     Eigen::MatrixX3d colors_;
     Eigen::ArrayXd cosines_;
     Eigen::ArrayXd weights_;
-    std::vector<LocalPair> local_;
+    std::vector<typename Shine::Pair> local_;
     bool isBlack_ = false;
     double unit_ = 1;
 };
@@ -108,15 +138,26 @@ class Fitting {
 struct Solution {
     Shape shape;
     double error = 0;
+    double condition = 1;  ///< Of the last normal equations, damped.
 };
 
+/// Largest over smallest eigenvalue.
+double conditionOf(const Eigen::Matrix4d& matrix) {
+    const Eigen::Vector4d values =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(matrix, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    return values(3) / std::max(values(0), 1e-300);
+}
+
 /// Levenberg and Marquardt with differences for derivatives, from one shape.
-Solution descend(const Fitting& fitting, Shape shape) {
+template <class Shine>
+Solution descend(const Fitting<Shine>& fitting, Shape shape) {
     constexpr int kSteps = 20;
     constexpr double kDifference = 1e-3;
     Eigen::VectorXd residual = fitting.residuals(shape);
     double error = residual.squaredNorm();
     double damping = 1e-2;
+    Eigen::Matrix4d solved = Eigen::Matrix4d::Identity();
     for (int step = 0; step < kSteps; ++step) {
         Eigen::MatrixX4d jacobian(residual.size(), 4);
         for (Eigen::Index p = 0; p < 4; ++p) {
@@ -131,6 +172,7 @@ Solution descend(const Fitting& fitting, Shape shape) {
             Eigen::Matrix4d damped = gram;
             damped.diagonal() *= 1 + damping;
             damped.diagonal().array() += 1e-12 + 1e-6 * gram.diagonal().maxCoeff();
+            solved = damped;
             const Shape next = bounded(shape - damped.ldlt().solve(gradient));
             const Eigen::VectorXd attempted = fitting.residuals(next);
             if (attempted.squaredNorm() < error) {
@@ -144,7 +186,7 @@ Solution descend(const Fitting& fitting, Shape shape) {
         }
         if (error > before * (1 - 1e-4)) break;
     }
-    return {shape, error};
+    return {shape, error, conditionOf(solved)};
 }
 
 }  // namespace
@@ -159,8 +201,9 @@ Lobe MicrofacetFit::lobe() const {
     return lobe;
 }
 
-MicrofacetFit fitMicrofacet(const std::vector<LightAndView>& pairs, std::span<const Rgb> values) {
-    const Fitting fitting(pairs, values);
+template <class Shine>
+static MicrofacetFit fitted(const std::vector<LightAndView>& pairs, std::span<const Rgb> values) {
+    const Fitting<Shine> fitting(pairs, values);
     if (fitting.isBlack()) return {};
     Solution best{{}, -1};
     for (const double roughness : {0.05, 0.2, 0.5}) {
@@ -170,8 +213,18 @@ MicrofacetFit fitMicrofacet(const std::vector<LightAndView>& pairs, std::span<co
         if (best.error < 0 || found.error < best.error) best = found;
     }
     MicrofacetFit fit = fitOf(best.shape);
+    fit.condition = best.condition;
     fitting.residuals(best.shape, &fit);
     return fit;
+}
+
+MicrofacetFit fitMicrofacet(const std::vector<LightAndView>& pairs, std::span<const Rgb> values) {
+    return fitted<FloatLobe>(pairs, values);
+}
+
+MicrofacetFit fitMicrofacetInDouble(const std::vector<LightAndView>& pairs,
+                                    std::span<const Rgb> values) {
+    return fitted<DoubleLobe>(pairs, values);
 }
 
 }  // namespace abrdf

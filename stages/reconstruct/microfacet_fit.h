@@ -20,6 +20,7 @@ struct MicrofacetFit {
     double roughnessY = 0.3;  ///< ... and across `azimuth`; 0.01 .. 1.
     Radians azimuth = 0;
     double grazing = 1;  ///< How much more is reflected at grazing than along the normal, 1 .. 50.
+    double condition = 1;  ///< Of the last step's normal equations, damped.
 
     Lobe lobe() const;
 };
@@ -28,5 +29,9 @@ struct MicrofacetFit {
 /// Marquardt over the lobe's four numbers, of which both colours follow in closed form, none
 /// negative. The unit of the values is that of the colours.
 MicrofacetFit fitMicrofacet(const std::vector<LightAndView>& pairs, std::span<const Rgb> values);
+
+/// The same with the lobe in double precision too: its slow twin.
+MicrofacetFit fitMicrofacetInDouble(const std::vector<LightAndView>& pairs,
+                                    std::span<const Rgb> values);
 
 }  // namespace abrdf

@@ -27,6 +27,9 @@ namespace {
 constexpr double kVisible = 1;
 constexpr double kBetter = 0.95;
 
+/// Doubles keep four digits beyond it.
+constexpr double kMostCondition = 1e12;
+
 /// Largest condition number of the systems that the terms were solved with.
 double conditionOf(const PriorModel& model, const std::vector<PriorTerm>& terms) {
     double condition = 1;
@@ -36,6 +39,13 @@ double conditionOf(const PriorModel& model, const std::vector<PriorTerm>& terms)
             model.classes[term.classIndex].spectra[term.spectrum].eigenvalues;
         condition = std::max(condition, (values.maxCoeff() + term.nu) /
                                             (std::max(values.minCoeff(), 0.0) + term.nu));
+        if (!(values.minCoeff() + term.nu > 0 && condition <= kMostCondition)) {
+            throw std::invalid_argument(fmt::format(
+                "the prior's model is singular for these samples (eigenvalues {:.1e} to {:.1e}, "
+                "noise {:.1e}, condition number at most {:g}); train it anew, with more "
+                "--materials",
+                values.minCoeff(), values.maxCoeff(), term.nu, kMostCondition));
+        }
     }
     return condition;
 }

@@ -8,8 +8,10 @@
 #include "stages/reconstruct/weighted_samples.h"
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 #include <array>
+#include <stdexcept>
 
 namespace abrdf {
 
@@ -38,6 +40,13 @@ Weights rbfWeights(const ReconstructionTask& task) {
     basis.leftCols(n) = -squaredDistances(vectorFeatures(outputs), nodes).cwiseSqrt();
     basis.col(n).setOnes();
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(system);
+    // The ridge keeps doubles far from this; directions that are no numbers do not.
+    if (!(lu.rcond() >= 1e-12)) {
+        throw std::invalid_argument(fmt::format(
+            "the samples' directions make a singular system (reciprocal condition number {:.1e}, "
+            "at least 1e-12 is needed); give each sample of the plan a direction of its own",
+            lu.rcond()));
+    }
     const Eigen::MatrixXd inverse = lu.inverse();
     Eigen::MatrixXd weights = product(basis, inverse.leftCols(n));
     for (Eigen::Index k = 0; k < n; ++k) {

@@ -2,6 +2,7 @@
 #include "stages/reconstruct/rbf_weights.h"
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -16,10 +17,12 @@ RbfWeights::RbfWeights(const Eigen::MatrixX2d& nodes) : nodes_(nodes) {
     for (Eigen::Index i = 0; i < n; ++i) system.row(i) = basis(nodes_.row(i));
     system.bottomLeftCorner(3, n) = system.topRightCorner(n, 3).transpose();
     const Eigen::FullPivLU<Eigen::MatrixXd> lu(system);
-    if (!lu.isInvertible() || lu.rcond() < 1e-10) {
-        throw std::invalid_argument(
+    if (!lu.isInvertible() || !(lu.rcond() >= 1e-10)) {
+        throw std::invalid_argument(fmt::format(
             "the elevations of the plan lie on one line, so that the missing subspaces cannot be "
-            "interpolated; choose two different elevations");
+            "interpolated (reciprocal condition number {:.1e}, at least 1e-10 is needed); choose "
+            "two different elevations",
+            lu.rcond()));
     }
     inverse_ = lu.inverse();
     condition_ = 1 / lu.rcond();

@@ -8,6 +8,7 @@
 #include "abrdf/slice_plan.h"
 #include "abrdf/texel_model.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -99,6 +100,14 @@ class Reconstructor {
     virtual std::string remark() const { return {}; }
 };
 
+/// What a method's equations give of one texel in other floats and solved another way: what shows
+/// how much of an answer is rounding.
+struct TwinAnswer {
+    std::vector<std::array<double, 3>> abrdf;  ///< A value an output pair; may be negative.
+    double condition =
+        1;  ///< Largest condition number (2-norm, or 1-norm's estimate) of its systems.
+};
+
 /// A reconstruction method: one file in this folder.
 struct Method {
     const char* name;
@@ -107,6 +116,8 @@ struct Method {
     SampleWish wish;
     bool needsPrior;  ///< Does its task need a prior model?
     std::unique_ptr<Reconstructor> (*make)(const ReconstructionTask& task);
+    /// Slow; of the texel task.mean. Null for methods that solve no system.
+    TwinAnswer (*twin)(const ReconstructionTask& task) = nullptr;
 };
 
 /// All methods, the most accurate first.

@@ -9,9 +9,9 @@ namespace abrdf {
 
 std::vector<StressCase> stressCases() {
     std::vector<StressCase> all;
-    for (const auto& page :
-         {noiseCases, highlightCases, rangeCases, missingCases, angleCases, planCases,
-          degenerateCases, colorCases, grazingCases, spatialCases, numberCases}) {
+    for (const auto& page : {noiseCases, highlightCases, rangeCases, missingCases, angleCases,
+                             planCases, degenerateCases, colorCases, grazingCases, spatialCases,
+                             numberCases, conditioningCases}) {
         std::ranges::move(page(), std::back_inserter(all));
     }
     return all;

@@ -23,6 +23,7 @@ struct StressTrial {
     /// One flag a sample: is it there? Empty: all are.
     std::function<std::vector<bool>(std::span<const LightAndView> samples, Random& random)> kept;
     std::optional<SamplePlan> plan;   ///< Instead of the run's.
+    bool exactPlaces = false;         ///< Is it photographed where the plan says, off the grid?
     std::optional<AngularGrid> grid;  ///< Where answers are wanted, instead of the run's.
     double leastTheta = 0;            ///< Errors count where light or view is at least so steep.
     double exposure = 1;              ///< Factor on the values at which errors are meant.
@@ -47,6 +48,8 @@ struct StressCase {
     std::vector<StressStep> steps;
     /// The trial at a step; `material` is not looked at where the case brings its own.
     std::function<StressTrial(const StressMaterial& material, double value)> trial;
+    /// Are answers held beside those of the methods' twins in longer floats? For grey materials.
+    bool hasTwin = false;
 };
 
 /// All cases. A new one is a line in a file of this folder.
@@ -64,6 +67,7 @@ std::vector<StressCase> colorCases();
 std::vector<StressCase> grazingCases();
 std::vector<StressCase> spatialCases();
 std::vector<StressCase> numberCases();
+std::vector<StressCase> conditioningCases();
 
 /// Steps whose labels are their values times `factor` with `unit` behind.
 std::vector<StressStep> stepsOf(const std::vector<double>& values, double factor = 1,

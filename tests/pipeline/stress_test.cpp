@@ -70,6 +70,27 @@ TEST_CASE("the suite finds where methods fail, draws it, and says it in a table"
     CHECK(ordered_json::parse(stream) == report);
 }
 
+TEST_CASE("answers are held beside twins in longer floats along the condition number") {
+    const TemporaryFolder folder;
+    StressOptions options = quick(folder.path());
+    options.methods = {"published", "rbf", "idw"};
+    options.cases = {"conditioning"};
+    const ordered_json report = stress(options, {}, {});
+    CHECK(fs::file_size(folder.path() / "conditioning-twin.svg") > 1000);
+    CHECK(fs::file_size(folder.path() / "conditioning-twin.png") > 1000);
+    const ordered_json& rbf = row(report, "conditioning", "rbf")["steps"];
+    CHECK(rbf.back()["condition"].get<double>() > 100 * rbf.front()["condition"].get<double>());
+    for (const ordered_json& step : rbf) {
+        CHECK(step["twin_delta_e"].get<double>() < 0.1);
+        CHECK(step["twin_relative"].get<double>() > 0);  // Floats are no long doubles.
+    }
+    // Elevations that meet are refused, so there is nothing to compare.
+    const ordered_json& published = row(report, "conditioning", "published")["steps"];
+    CHECK(published.front().contains("twin_delta_e"));
+    CHECK_FALSE(published.back().contains("twin_delta_e"));
+    CHECK_FALSE(row(report, "conditioning", "idw")["steps"].front().contains("twin_delta_e"));
+}
+
 TEST_CASE("unknown cases and methods without a reconstruction are refused by name") {
     const TemporaryFolder folder;
     StressOptions options = quick(folder.path());
