@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 bin=$(realpath "${FUZZ_BIN:-build/fuzz/tests}")
-learned=${FUZZ_WORK:-build/fuzz}/corpus
+learned=$(realpath "${FUZZ_WORK:-build/fuzz}/corpus")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for target in ${*:-$(bash tests/fuzz/targets.sh)}; do
@@ -16,7 +16,7 @@ for target in ${*:-$(bash tests/fuzz/targets.sh)}; do
     leaks=1
     case $target in image | zip | environment) leaks=0 ;; esac
     # Its control file says which features each input reaches.
-    ABRDF_FUZZ_TARGET=$target ASAN_OPTIONS=detect_leaks=$leaks "$bin/fuzz_target" -merge=1 -merge_control_file="$work/control" \
+    ABRDF_FUZZ_TARGET=$target ASAN_OPTIONS=detect_leaks=$leaks "$bin/fuzz_target" -set_cover_merge=1 -merge_control_file="$work/control" \
         -detect_leaks=$leaks -malloc_limit_mb=128 -max_len=16384 "$work/merged" "$learned/$target" > "$work/log" 2>&1
     mkdir -p "tests/fuzz/corpus/$target"
     rm -f "tests/fuzz/corpus/$target"/learned_*
@@ -33,7 +33,7 @@ for target in ${*:-$(bash tests/fuzz/targets.sh)}; do
                     new = 0
                     n = split(features[i], f, " ")
                     for (k = 3; k <= n; ++k) new += !(f[k] in seen)
-                    if (new / (size[i] + 64) > score) { score = new / (size[i] + 64); best = i }
+                    if (new / (size[i] + 4000) > score) { score = new / (size[i] + 4000); best = i }
                 }
                 if (best < 0) break
                 n = split(features[best], f, " ")
