@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs every test. --sanitizers: under ASan+UBSan and TSan as well.
+# Installs what is missing, builds, runs every test: with clang under ASan and UBSan, ten seconds of each
+# fuzz target, what runs on many threads under TSan, and all with g++ as users have it.
+# --quick: the last alone.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash examples/install_packages.sh
@@ -15,15 +17,21 @@ fi
 (cd tests/page && npm ci --silent) || echo "no npm packages: the page's tests are skipped"
 # Tests write stacks of thousands of small files; memory is kinder to them than a disk.
 if [ -w /dev/shm ]; then export TMPDIR=${TMPDIR:-/dev/shm}; fi
-if [ "${1:-}" = --sanitizers ]; then
-    for preset in asan tsan; do
-        echo "== $preset"
-        cmake --preset "$preset" > /dev/null
-        cmake --build --preset "$preset"
-        ctest --preset "$preset" -j"$(nproc)"
-    done
+suite() { # suite PRESET BUILD-PRESET
+    echo "== $1"
+    cmake --preset "$1" > /dev/null
+    cmake --build --preset "$2"
+    ctest --preset "$1" -j"$(nproc)"
+}
+if [ "${1:-}" != --quick ]; then
+    if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+        clang++-14 -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null; then
+        suite fuzz fuzz-all
+    else
+        echo "== SKIPPED: fuzzing and clang's build, for clang++-14 and its libFuzzer are absent" \
+             "(clang-14, libclang-rt-14-dev); g++'s sanitizers instead" >&2
+        suite asan asan
+    fi
+    suite tsan tsan
 fi
-echo "== release"
-cmake --preset release > /dev/null
-cmake --build --preset release
-ctest --preset release -j"$(nproc)"
+suite release release

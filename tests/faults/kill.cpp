@@ -6,7 +6,7 @@
 namespace abrdf {
 
 void killAtRandom(FaultBench& bench) {
-    const std::size_t wanted = bench.isLong() ? 100 : 12;
+    const std::size_t wanted = bench.isLong() ? 100 : 8;
     std::size_t killed = 0;
     for (std::size_t trial = 0; killed < wanted && trial < 3 * wanted; ++trial) {
         // Two of three are conversions, which can be resumed.

@@ -7,7 +7,7 @@ void exhaustMemory(FaultBench& bench) {
     constexpr long kMega = 1L << 20;
     for (const Job& job : bench.jobs()) {
         if (!bench.isLong() && job.name != "angular") continue;
-        const long step = (bench.isLong() ? 8 : 16) * kMega;
+        const long step = (bench.isLong() ? 8 : 32) * kMega;
         std::size_t good = 0;
         for (long bytes = 0; good < 2 && bytes < 1024 * kMega; bytes += step) {
             bench.begin(job, true);

@@ -4,7 +4,7 @@
 # inputs are left in build/fuzz/found; put them into tests/fuzz/corpus/TARGET when mended. Logs, to
 # which each run adds, are in build/fuzz/log, what was learned in build/fuzz/corpus.
 # FUZZ_SEED=1: the same inputs each time, as far as the machine is as fast. FUZZ_BIN: programs that
-# are built already, instead of build/fuzz/tests.
+# are built already, instead of build/fuzz/tests. FUZZ_WORK: instead of build/fuzz.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
@@ -15,11 +15,12 @@ if [ -z "${FUZZ_BIN:-}" ]; then
     cmake --build --preset fuzz
 fi
 bin=$(realpath "${FUZZ_BIN:-build/fuzz/tests}")
-mkdir -p build/fuzz/found build/fuzz/log
+export FUZZ_WORK=${FUZZ_WORK:-$PWD/build/fuzz}
+mkdir -p "$FUZZ_WORK/found" "$FUZZ_WORK/log"
 failed=0
 for target in $targets; do
-    corpus=$PWD/build/fuzz/corpus/$target
-    log=build/fuzz/log/$target.txt
+    corpus=$FUZZ_WORK/corpus/$target
+    log=$FUZZ_WORK/log/$target.txt
     mkdir -p "$corpus"
     "$bin/fuzz_replay" "$target" --seeds "$corpus"
     if [ -d "tests/fuzz/corpus/$target" ]; then cp tests/fuzz/corpus/"$target"/* "$corpus"/; fi
@@ -31,14 +32,14 @@ for target in $targets; do
     for ((run = 0; run < 20 && SECONDS < begin + seconds; ++run)); do
         good=1
         # OpenImageIO takes 64 MB at once for any image; twice that is 8192 times the longest input.
-        ABRDF_FUZZ_TARGET=$target "$bin/fuzz_target" "$corpus" -max_len=16384 \
+        ABRDF_FUZZ_TARGET=$target ASAN_OPTIONS=detect_leaks=$leaks "$bin/fuzz_target" "$corpus" -max_len=16384 \
             -max_total_time=$((begin + seconds - SECONDS)) -malloc_limit_mb=128 -timeout=20 \
             -detect_leaks=$leaks -rss_limit_mb=4096 -print_final_stats=1 \
-            -seed="${FUZZ_SEED:-0}" -artifact_prefix="$PWD/build/fuzz/found/$target-" \
+            -seed="${FUZZ_SEED:-0}" -artifact_prefix="$FUZZ_WORK/found/$target-" \
             > "$log.run" 2>&1 || good=0
         # One that was killed has no figures of its own but those of its last line.
-        if ! grep -q '^stat::number_of_executed_units' "$log.run"; then
-            sed -n 's/^#\([0-9]*\).*/stat::number_of_executed_units: \1/p' "$log.run" | tail -n 1 >> "$log"
+        if ! grep -aq '^stat::number_of_executed_units' "$log.run"; then
+            sed -n 's/^#\([0-9]*\)\t.*/stat::number_of_executed_units: \1/p' "$log.run" | tail -n 1 >> "$log"
             grep -a 'cov: ' "$log.run" | tail -n 1 >> "$log" || true
         fi
         grep -avE '	(NEW|REDUCE|RELOAD|pulse) |NEW_FUNC' "$log.run" >> "$log" || true

@@ -2,7 +2,7 @@
 # What fuzzing has done so far, a line a target, from the logs of tests/fuzz/run.sh:
 # tests/fuzz/table.sh [TARGET...]
 set -euo pipefail
-cd "$(dirname "$0")/../../build/fuzz/log"
+cd "${FUZZ_WORK:-$(dirname "$0")/../../build/fuzz}/log"
 targets=${*:-$(ls -- *.txt | sed 's/\.txt$//')}
 for target in $targets; do
     awk -v target="$target" '

@@ -238,7 +238,8 @@ TEST_CASE("the measured materials beside the checkout agree with the tables made
         files.emplace_back(entry.path(), "rgl_" + stem.substr(0, stem.rfind("_rgb")));
     }
     for (const auto& [file, name] : files) {
-        CAPTURE(file.string());
+        const std::string path = file.string();  // clang 14's lambdas cannot take a binding.
+        CAPTURE(path);
         const std::vector<Rgb> truth = sharedTable("measured81/" + name + "_f32.bin");
         REQUIRE(truth.size() == 6561);
         const auto reader = openBtf(file);

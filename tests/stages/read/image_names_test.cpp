@@ -109,7 +109,8 @@ TEST_CASE("all eight ways that a picture can lie are turned upright") {
         {"+X 3 -Y 2", {0, 2, 4, 1, 3, 5}}, {"-X 3 -Y 2", {4, 2, 0, 5, 3, 1}},
         {"-X 3 +Y 2", {5, 3, 1, 4, 2, 0}}, {"+X 3 +Y 2", {1, 3, 5, 0, 2, 4}}};
     for (const auto& [line, expected] : ways) {
-        CAPTURE(std::string(line));
+        const std::string shown = line;  // clang 14's lambdas cannot take a binding.
+        CAPTURE(shown);
         const std::string bytes = hdrBytes(line, 6);
         const EncodedImage image = decodeImage(bytes, "a.hdr");
         CHECK(image.width == 3);
