@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/angular_grid.h"
 
-#include "abrdf/text_file.h"
+#include "abrdf/number_rows.h"
 
 #include <fmt/format.h>
 
@@ -141,25 +141,15 @@ AngularGrid gridFromName(const std::string& nameOrFile) {
 }
 
 std::vector<Direction> directionsFromCsv(const std::filesystem::path& file) {
-    std::istringstream stream(textOfFile(file));
+    constexpr const char* kShape = "theta_deg,phi_deg with theta from 0 to below 90";
     std::vector<Direction> directions;
-    std::string line;
-    for (int number = 1; std::getline(stream, line); ++number) {
-        const std::size_t first = line.find_first_not_of(" \t\r");
-        if (first == std::string::npos || line[first] == '#') continue;
-        std::ranges::replace(line, ',', ' ');
-        std::istringstream row(line);
-        double theta = 0;
-        double phi = 0;
-        std::string rest;
-        const bool isRow = (row >> theta >> phi) && !(row >> rest);
-        if (!isRow && directions.empty() && isLineOfNames(line)) continue;
-        if (!isRow || !(theta >= 0 && theta < 90) || !std::isfinite(phi)) {
-            throw std::runtime_error(fmt::format(
-                "{}:{}: '{}' is not a row theta_deg,phi_deg with theta from 0 to below 90",
-                file.string(), number, shownLine(line)));
+    for (const auto& [where, numbers] : numberRowsFromFile(file, 2, 2, kShape).rows) {
+        if (!(numbers[0] >= 0 && numbers[0] < 90)) {
+            throw std::runtime_error(fmt::format("{}: '{:g},{:g}' is not a row {}", where,
+                                                 numbers[0], numbers[1], kShape));
         }
-        directions.push_back({radiansFromDegrees(theta), wrappedAzimuth(radiansFromDegrees(phi))});
+        directions.push_back(
+            {radiansFromDegrees(numbers[0]), wrappedAzimuth(radiansFromDegrees(numbers[1]))});
     }
     if (directions.empty()) {
         throw std::runtime_error(fmt::format("{}: holds no theta_deg,phi_deg row", file.string()));

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/scene_pairs.h"
 
+#include "abrdf/number_rows.h"
 #include "abrdf/pair_features.h"
 #include "abrdf/pair_interpolation.h"
 #include "abrdf/random.h"
-#include "abrdf/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 
 namespace abrdf {
@@ -21,23 +19,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::array kNames = {"theta_i", "phi_i", "theta_v", "phi_v", "weight"};
+constexpr const char* kShape =
+    "theta_i,phi_i,theta_v,phi_v,weight with angles in degrees; the weight may be left out";
+
+/// A file that says its columns stand otherwise is not read as if they did not.
+void checkNames(const std::vector<std::string>& names, const fs::path& file) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto known = std::ranges::find(kNames, names[i]);
+        if (known == kNames.end() || static_cast<std::size_t>(known - kNames.begin()) == i) {
+            continue;
+        }
+        throw std::runtime_error(fmt::format(
+            "{}: its columns begin with {}; put them in the order theta_i,phi_i,theta_v,phi_v,"
+            "weight",
+            file.string(), fmt::join(names, ",")));
+    }
+}
+
 /// theta_i, phi_i, theta_v, phi_v in degrees, and the weight.
 using Row = std::array<double, 5>;
 
-/// Nothing where the line is not four or five numbers.
-std::optional<Row> rowOf(std::string line) {
-    std::ranges::replace(line, ',', ' ');
-    std::istringstream stream(line);
+Row rowOf(const std::vector<double>& numbers) {
     Row row{};
-    if (!(stream >> row[0] >> row[1] >> row[2] >> row[3])) return {};
     row[4] = 1;
-    std::string rest;
-    if (!(stream >> row[4])) {
-        if (!stream.eof()) return {};
-        row[4] = 1;  // Since C++11 what is not read becomes 0.
-    } else if (stream >> rest) {
-        return {};
-    }
+    std::ranges::copy(numbers, row.begin());
     return row;
 }
 
@@ -54,7 +60,7 @@ void checkRow(const Row& row, const std::string& where) {
         throw std::runtime_error(
             fmt::format("{}: phi {:g} is no azimuth in degrees; give -360 to 720", where, phi));
     }
-    if (!(row[4] >= 0 && std::isfinite(row[4]))) {
+    if (row[4] < 0) {
         throw std::runtime_error(
             fmt::format("{}: the weight {:g} must be a number of at least 0", where, row[4]));
     }
@@ -105,29 +111,19 @@ std::vector<Direction> sceneDirections(const std::vector<Direction>& wanted,
 }  // namespace
 
 ScenePairs scenePairsFromCsv(const fs::path& file) {
-    std::istringstream stream(textOfFile(file));
+    const NumberRows table = numberRowsFromFile(file, 4, 5, kShape);
+    checkNames(table.names, file);
     std::vector<LightAndView> pairs;
     std::vector<double> weights;
-    std::string line;
-    for (int number = 1; std::getline(stream, line); ++number) {
-        const std::size_t first = line.find_first_not_of(" \t\r");
-        if (first == std::string::npos || line[first] == '#') continue;
-        const std::optional<Row> row = rowOf(line);
-        if (!row && pairs.empty() && isLineOfNames(line)) continue;
-        const std::string where = fmt::format("{}:{}", file.string(), number);
-        if (!row) {
-            throw std::runtime_error(
-                fmt::format("{}: '{}' is not a row theta_i,phi_i,theta_v,phi_v,weight with angles "
-                            "in degrees; the weight may be left out",
-                            where, shownLine(line)));
-        }
-        checkRow(*row, where);
+    for (const NumberRows::Row& line : table.rows) {
+        const Row row = rowOf(line.numbers);
+        checkRow(row, line.where);
         const auto direction = [&](std::size_t i) {
-            return Direction{radiansFromDegrees((*row)[i]),
-                             wrappedAzimuth(radiansFromDegrees((*row)[i + 1]))};
+            return Direction{radiansFromDegrees(row[i]),
+                             wrappedAzimuth(radiansFromDegrees(row[i + 1]))};
         };
         pairs.push_back({direction(0), direction(2)});
-        weights.push_back((*row)[4]);
+        weights.push_back(row[4]);
     }
     if (pairs.empty()) {
         throw std::runtime_error(
@@ -135,16 +131,18 @@ ScenePairs scenePairsFromCsv(const fs::path& file) {
                         "theta_i,phi_i,theta_v,phi_v,weight a pair, angles in degrees",
                         file.string()));
     }
+    const double largest = *std::ranges::max_element(weights);
+    if (largest <= 0) {
+        throw std::runtime_error(
+            fmt::format("{}: the weights of its {} pairs sum to 0; give at least one pair a "
+                        "weight above 0",
+                        file.string(), pairs.size()));
+    }
+    for (double& weight : weights) weight /= largest;
     ScenePairs scene = merged(pairs, weights);
     scene.name = file.stem().string();
     double sum = 0;
     for (const double weight : scene.weights) sum += weight;
-    if (!(sum > 0 && std::isfinite(sum))) {
-        throw std::runtime_error(
-            fmt::format("{}: the weights of its {} pairs sum to {:g}; give at least one pair a "
-                        "weight above 0",
-                        file.string(), pairs.size(), sum));
-    }
     for (double& weight : scene.weights) weight /= sum;
     return scene;
 }

@@ -268,7 +268,8 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options,
     if (!remark.empty()) report["remark"] = remark;
     // Tiles are made while others are written: what remains beside reading and writing.
     report["time"] = {
-        {"read", seconds.read - job.found.seconds},
+        {"plan", job.planSeconds},
+        {"read", seconds.read - job.found.seconds - job.planSeconds},
         {"align", job.found.seconds},
         {"reconstruct", std::max(0.0, seconds.total - seconds.read - written.writeSeconds)},
         {"write", written.writeSeconds},

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <chrono>
 #include <stdexcept>
 
 namespace abrdf {
@@ -201,8 +202,11 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     job.chosen =
         settleMethod(job.method, options.limits, job.grazing.inner().pairCount(), job.input.warn);
     const std::optional<SceneChoice> scene = sceneOf(job, options);
+    const auto planning = std::chrono::steady_clock::now();
     job.planned =
         planMethod(job.method, job.input, job.grazing.inner(), progress, scene ? &*scene : nullptr);
+    job.planSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - planning).count();
     job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
     job.isUnshifted = options.plane.unshift && job.found.plane.height != 0;
     checkUnshift(job, options);

@@ -24,6 +24,7 @@ struct ConvertJob {
     MethodChoice method;            ///< Settled.
     nlohmann::ordered_json chosen;  ///< Why; null where there was nothing to choose.
     PlannedMethod planned;
+    double planSeconds = 0;  ///< That choosing the samples took.
     FoundPlane found;
     std::optional<ScenePairs> scene;  ///< Of which `grid` is made; none: all of the grid matters.
     AngularGrid grid;

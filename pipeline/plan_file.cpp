@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/plan_file.h"
 
+#include "abrdf/number_rows.h"
 #include "abrdf/text_file.h"
 
 #include <fmt/format.h>
@@ -69,26 +70,12 @@ SamplePlan planFromToml(const fs::path& file) {
 }
 
 SamplePlan planFromCsv(const fs::path& file) {
-    std::istringstream stream(textOfFile(file));
     SamplePlan plan{file.filename().string(), {}, {}};
-    std::string line;
-    for (int number = 1; std::getline(stream, line); ++number) {
-        const std::size_t first = line.find_first_not_of(" \t\r");
-        if (first == std::string::npos || line[first] == '#') continue;
-        std::ranges::replace(line, ',', ' ');
-        std::istringstream row(line);
-        std::array<double, 4> degrees{};
-        std::string rest;
-        const bool isRow =
-            (row >> degrees[0] >> degrees[1] >> degrees[2] >> degrees[3]) && !(row >> rest);
-        if (!isRow && plan.samples.empty() && isLineOfNames(line)) continue;
-        const std::string where = fmt::format("{}:{}", file.string(), number);
-        if (!isRow) {
-            throw std::runtime_error(
-                fmt::format("{}: '{}' is not a row theta_i,phi_i,theta_v,phi_v in degrees", where,
-                            shownLine(line)));
-        }
-        plan.samples.push_back(checkedSample(degrees, where));
+    const NumberRows table =
+        numberRowsFromFile(file, 4, 4, "theta_i,phi_i,theta_v,phi_v in degrees");
+    for (const auto& [where, numbers] : table.rows) {
+        plan.samples.push_back(
+            checkedSample({numbers[0], numbers[1], numbers[2], numbers[3]}, where));
     }
     return plan;
 }

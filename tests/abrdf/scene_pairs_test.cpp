@@ -85,14 +85,27 @@ TEST_CASE("what is wrong in a pairs file is told with its line") {
     tells("# c\n30,0,-1,90\n", ".csv:2:", "theta -1 degrees");
     tells("30,0,45,1e9\n", ".csv:1:", "no azimuth");
     tells("30,0,45,90,-1\n", ".csv:1:", "weight -1");
-    for (const char* row : {"30,0,45\n", "30,0,45,90,1,2\n", "30,0,45,90,x\n", "nan,0,45,90\n"}) {
+    // A field that is empty must not be filled with its neighbour.
+    for (const char* row : {"30,0,,45,60\n", "30,0,45,90,\n", "30,0,45\n", "30,0,45,90,1,2\n",
+                            "30,0,45,90,x\n", "nan,0,45,90\n"}) {
         CAPTURE(row);
         tells(row, ".csv:1:", "is not a row");
     }
     tells("30,0,45,90\ntheta_i,phi_i,theta_v,phi_v\n", ".csv:2:", "is not a row");
+    tells("theta_i,phi_i,theta_v,phi_v\nabc,0,60,210\n1,2,3,4\n", ".csv:2:", "is not a row");
+    tells("theta_v,phi_v,theta_i,phi_i\n30,0,60,210\n", ".csv:", "in the order theta_i");
+    tells(std::string("30,0,45,90\n\0\0\n", 14), ".csv:2:", "'\\x00\\x00' is not a row");
     tells("", ".csv:", "holds no pair");
     tells("theta_i,phi_i,theta_v,phi_v\n# nothing\n", ".csv:", "holds no pair");
     tells("30,0,45,90,0\n20,0,45,90,0\n", ".csv:", "sum to 0");
+}
+
+TEST_CASE("what spreadsheets write is read, and weights of any size") {
+    const ScenePairs scene =
+        sceneOf("\xef\xbb\xbfTheta_i,Phi_i,Theta_v,Phi_v\r\n+30,0,45,90\r\n20,0,45,90\r\n");
+    CHECK(scene.weights == std::vector<double>{0.5, 0.5});
+    CHECK(sceneOf("30,0,45,90,1.7e308\n20,0,45,90,1.7e308\n").weights ==
+          std::vector<double>{0.5, 0.5});
 }
 
 TEST_CASE("few directions are the grid themselves, and each pair matters by its own weight") {

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <fstream>
@@ -304,6 +305,16 @@ TEST_CASE("an interrupt leaves no file behind and ends by its signal") {
         runProgram(folder.path(), "demo big --size 512", "timeout --preserve-status -s INT 3");
     CHECK(run.status != 0);
     CHECK(filesIn(folder.path()).empty());
+    CHECK(contains(run.err, "interrupted"));
+}
+
+TEST_CASE("a pipe that nobody writes to can be interrupted") {
+    const TemporaryFolder folder;
+    REQUIRE(mkfifo((folder.path() / "fifo.csv").c_str(), 0600) == 0);
+    const ProgramRun run =
+        runProgram(folder.path(), "convert " + demoZip().string() + " -o a.exr --grid fifo.csv",
+                   "timeout --preserve-status -k 20 -s INT 1");
+    CHECK(run.status == 130);
     CHECK(contains(run.err, "interrupted"));
 }
 
