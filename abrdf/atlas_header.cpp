@@ -52,8 +52,10 @@ const auto& valueOf(const Imf::Header& header, const char* name, const std::stri
     return attribute->value();
 }
 
+constexpr int kMostShards = 1 << 20;  ///< No atlas has as many rows of tiles.
+
 /// What atlases of an early day lack.
-void readOptional(const Imf::Header& header, AtlasHeader& atlas) {
+void readOptional(const Imf::Header& header, AtlasHeader& atlas, const std::string& file) {
     if (const auto* plane = header.findTypedAttribute<Imf::FloatAttribute>("abrdf:plane")) {
         atlas.plane = static_cast<double>(plane->value());
     }
@@ -71,6 +73,10 @@ void readOptional(const Imf::Header& header, AtlasHeader& atlas) {
     if (const auto* shard = header.findTypedAttribute<Imf::V2iAttribute>("abrdf:shard")) {
         atlas.shard = shard->value().x;
         atlas.shards = shard->value().y;
+        if (atlas.shard < 1 || atlas.shard > atlas.shards || atlas.shards > kMostShards) {
+            throw std::runtime_error(fmt::format("{}: has a damaged header: it is part {} of {}",
+                                                 file, atlas.shard, atlas.shards));
+        }
     }
 }
 
@@ -188,7 +194,7 @@ AtlasHeader atlasHeaderFrom(const Imf::Header& header, const std::string& file) 
     atlas.counts.nonfinite = count("abrdf:nonfinite");
     atlas.colorSpace = text("abrdf:colorSpace");
     atlas.interopId = text("colorInteropID");
-    readOptional(header, atlas);
+    readOptional(header, atlas, file);
     checkSize(header, atlas.layout, file);
     return atlas;
 }

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdint>
+
 namespace abrdf {
 
 namespace {
@@ -70,25 +72,21 @@ std::string planText(const nlohmann::ordered_json& r) {
     return text;
 }
 
+/// Counts may lack: the report of an atlas that was kept is the one in its header.
 void warnOfCounts(const nlohmann::ordered_json& counts) {
-    if (counts["nonfinite"] != 0) {
-        spdlog::warn("{} NaN, infinite or negative values were kept out",
-                     counts["nonfinite"].dump());
+    const auto countOf = [&](const char* name) { return counts.value(name, std::uint64_t{0}); };
+    if (const auto n = countOf("nonfinite")) {
+        spdlog::warn("{} NaN, infinite or negative values were kept out", n);
     }
-    if (counts["missing"] != 0) {
-        spdlog::warn("{} missing images were interpolated", counts["missing"].dump());
+    if (const auto n = countOf("missing")) spdlog::warn("{} missing images were interpolated", n);
+    if (const auto n = countOf("outside")) {
+        spdlog::warn("{} pixels of the surface's plane lie outside their cropped image", n);
     }
-    if (counts["outside"] != 0) {
-        spdlog::warn("{} pixels of the surface's plane lie outside their cropped image",
-                     counts["outside"].dump());
+    if (const auto n = countOf("dimmed")) {
+        spdlog::info("{} values were dimmed to four times the texel's largest sample", n);
     }
-    if (counts.value("dimmed", 0) != 0) {
-        spdlog::info("{} values were dimmed to four times the texel's largest sample",
-                     counts["dimmed"].dump());
-    }
-    if (counts["clamped"] != 0) {
-        spdlog::info("{} values were cut to the range that light can have",
-                     counts["clamped"].dump());
+    if (const auto n = countOf("clamped")) {
+        spdlog::info("{} values were cut to the range that light can have", n);
     }
 }
 
@@ -111,7 +109,7 @@ int run(Options options, const SharedOptions& shared, const ProgressSink& progre
         return 0;
     }
     const auto report = convert(options.job, progress);
-    warnOfCounts(report["counts"]);
+    warnOfCounts(report.value("counts", nlohmann::ordered_json::object()));
     nlohmann::ordered_json full = report;
     full["threads"] = shared.threads;
     deliver(full, shared.quiet ? "" : summaryOf(full), shared);

@@ -37,6 +37,11 @@ ordered_json jobOf(const AtlasTiles& shard, const fs::path& path) {
         throw std::runtime_error(fmt::format(
             "{}: is no shard of an atlas; those are made by convert --shard I/N", path.string()));
     }
+    for (const char* key : {"layout", "texels", "compression"}) {
+        if (job.contains(key) && job[key].is_string()) continue;
+        throw std::runtime_error(
+            fmt::format("{}: has a damaged header: its job lacks its {}", path.string(), key));
+    }
     return job;
 }
 

@@ -173,6 +173,7 @@ std::uint64_t AtlasWriter::writeRows(int firstRow, int rows, std::span<const Rgb
 
 void AtlasWriter::keepEstimates(std::size_t first, std::span<const float> deltaE) {
     assert(first + deltaE.size() <= estimates_.size());
+    if (deltaE.empty()) return;  // There are none: no piece begins at `first`.
     std::ranges::copy(deltaE, std::span(estimates_).subspan(first).begin());
 }
 

@@ -81,6 +81,9 @@ TEST_CASE("a header that contradicts itself is refused by the file's name") {
     damaged("abrdf:version", Imf::StringAttribute("1"));
     damaged("abrdf:layout", Imf::StringAttribute("round"));
     damaged("abrdf:cosine", Imf::StringAttribute("half"));
+    for (const Imath::V2i& part : {Imath::V2i{2, 1}, {0, 1}, {-1, 3}, {1, -1}, {1, 1 << 30}}) {
+        damaged("abrdf:shard", Imf::V2iAttribute(part));
+    }
     damaged("abrdf:texels", Imf::V2iAttribute({0, 2}));
     damaged("abrdf:texels", Imf::V2iAttribute({-3, -2}));
     damaged("abrdf:texels", Imf::V2iAttribute({2, 3}));

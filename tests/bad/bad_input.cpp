@@ -2,6 +2,7 @@
 #include "tests/bad/bad_input.h"
 
 #include "tests/support/run_program.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -17,15 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-#if !defined(__has_feature)
-#define __has_feature(x) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
-    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr const char* kBounded = "";  // Sanitizers take terabytes of addresses.
-#else
-constexpr const char* kBounded = "prlimit --as=3221225472";
-#endif
+constexpr const char* kBounded = kSanitized ? "" : "prlimit --as=3221225472";
 
 std::set<std::string> filesIn(const fs::path& folder) {
     std::set<std::string> names;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 
 using namespace abrdf;
@@ -138,6 +139,28 @@ TEST_CASE("shards that are missing, there twice, or of another job are refused b
     merging.shards = {parts[0]};
     CHECK(faultOf(merging).find("missing: 2, 3") != std::string::npos);
     CHECK_FALSE(fs::exists(merging.output));
+}
+
+TEST_CASE("a shard whose header tells only a part of its job is refused by name") {
+    const TemporaryFolder folder;
+    writeStack(folder.path());
+    MergeOptions merging;
+    merging.output = folder.path() / "merged.exr";
+    merging.shards = shardsOf(jobOn(folder.path()), folder.path(), 2);
+    const fs::path part = merging.shards[0];
+    const std::string whole = bytesOf(part);
+    CHECK(faultOf(merging).empty());
+    fs::remove(merging.output);
+    for (const char* key : {"layout", "texels", "compression"}) {
+        CAPTURE(key);
+        std::string bytes = whole;
+        const std::size_t job = bytes.find("abrdf:job");
+        REQUIRE(job != std::string::npos);
+        bytes[bytes.find(fmt::format("\"{}\":", key), job) + 1] = '_';
+        std::ofstream(part, std::ios::binary) << bytes;
+        CHECK(faultOf(merging).find("part1of2.exr: has a damaged header") != std::string::npos);
+        CHECK_FALSE(fs::exists(merging.output));
+    }
 }
 
 TEST_CASE("a shard is I/N with I from 1 to N, and no more of them than rows of tiles") {
