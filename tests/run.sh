@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs every test: with clang under ASan and UBSan, ten seconds of each
-# fuzz target, what runs on many threads under TSan, and all with g++ as users have it.
-# --quick: the last alone.
+# Installs what is missing, builds, runs ten seconds of each fuzz target and then every test.
+# --sanitizers: before that all but the slow tests with clang under ASan and UBSan, and what runs on many
+# threads under TSan. --quick: the tests alone.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash examples/install_packages.sh
@@ -23,15 +23,22 @@ suite() { # suite PRESET BUILD-PRESET
     cmake --build --preset "$2"
     ctest --preset "$1" -j"$(nproc)"
 }
-if [ "${1:-}" != --quick ]; then
-    if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
-        clang++-14 -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null; then
-        suite fuzz fuzz-all
-    else
-        echo "== SKIPPED: fuzzing and clang's build, for clang++-14 and its libFuzzer are absent" \
-             "(clang-14, libclang-rt-14-dev); g++'s sanitizers instead" >&2
-        suite asan asan
-    fi
-    suite tsan tsan
+can_fuzz() {
+    echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+        clang++-14 -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null
+}
+if [ "${1:-}" = --quick ]; then
+    echo "== without fuzzing"
+elif ! can_fuzz; then
+    echo "== SKIPPED: fuzzing, for clang++-14 and its libFuzzer are absent (clang-14, libclang-rt-14-dev)" >&2
+    if [ "${1:-}" = --sanitizers ]; then suite asan asan; fi
+elif [ "${1:-}" = --sanitizers ]; then
+    suite fuzz fuzz-all
+else
+    echo "== fuzz"
+    cmake --preset fuzz > /dev/null
+    cmake --build --preset fuzz
+    ctest --preset fuzz -L fuzz
 fi
+if [ "${1:-}" = --sanitizers ]; then suite tsan tsan; fi
 suite release release
