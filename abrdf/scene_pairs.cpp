@@ -87,7 +87,7 @@ std::vector<Direction> distinctDirections(const std::vector<Direction>& directio
 /// One list of a scene's grid.
 std::vector<Direction> sceneDirections(const std::vector<Direction>& wanted,
                                        const std::vector<Direction>& base) {
-    const std::vector<Direction> own = distinctDirections(wanted);
+    std::vector<Direction> own = distinctDirections(wanted);
     if (own.size() <= base.size()) return own;
     const AngularInterpolation interpolation(base);
     if (!interpolation.hasRings()) return base;
