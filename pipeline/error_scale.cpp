@@ -61,17 +61,10 @@ std::vector<Trial> trialsOf(const PriorModel& model, double exposure) {
         Random random(kSeed, i);
         const PreparedMaterial material(
             randomMaterial(kMaterialClasses[i % kMaterialClasses.size()], random));
-        const auto valuesAt = [&](const std::vector<VectorPair>& pairs) {
-            std::vector<float> values(pairs.size());
-            material.evaluate(pairs, values);
-            return Eigen::VectorXd(
-                Eigen::Map<Eigen::VectorXf>(values.data(), static_cast<Eigen::Index>(values.size()))
-                    .cast<double>());
-        };
-        const Eigen::VectorXd atSamples = valuesAt(samples);
+        const Eigen::VectorXd atSamples = valuesOf(material, samples);
         const GreyEstimate estimate = prior.estimate(atSamples);
         trials[i] = {estimate.isotropicShare,
-                     meanDeltaE(estimate.outputs, valuesAt(outputs), equal, exposure),
+                     meanDeltaE(estimate.outputs, valuesOf(material, outputs), equal, exposure),
                      meanDeltaE(estimate.leftOut, atSamples, prior.shares(), exposure)};
     });
     return trials;

@@ -73,7 +73,7 @@ Choosable choosable(const PlanJob& job) {
 
 std::size_t materialsFor(const PlanJob& job, std::size_t pairs) {
     if (job.materials > 0) return job.materials;
-    return std::clamp<std::size_t>(1000 * 6561 / std::max<std::size_t>(pairs, 1), 200, 1000);
+    return greedyMaterials(pairs);
 }
 
 /// A plan with all that is told of it.

@@ -60,9 +60,7 @@ std::vector<std::size_t> computedGreedyPairs(const AngularGrid& grid, std::size_
         GreedyOptions options;
         options.count = count;
         options.first = std::move(first);
-        // A thousand materials on UBO2003's grid; fewer where a grid is so fine that they fill the
-        // memory.
-        options.materials = std::clamp<std::size_t>(1000 * 6561 / grid.pairCount(), 200, 1000);
+        options.materials = greedyMaterials(grid.pairCount());
         const GreedyChoice choice = greedyPairs(grid, {}, options, progress);
         return ChosenPairs{choice.pairs, expectedErrorsOf(choice.deviation)};
     };

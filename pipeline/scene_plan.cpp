@@ -100,7 +100,7 @@ ScenePlan scenePlan(const SceneOutputs& scene, const AngularGrid& output,
     const auto choose = [&] {
         GreedyOptions greedy;
         greedy.count = count;
-        greedy.materials = std::clamp<std::size_t>(1000 * 6561 / measured.pairCount(), 200, 1000);
+        greedy.materials = greedyMaterials(measured.pairCount());
         const GreedyChoice choice =
             greedyPairs(measured, candidates, watchedPairs(measured, shown.pairs, shown.weights),
                         greedy, progress);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/measure/conditioning_figure.h"
 
+#include "stages/measure/figure_colors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@ namespace abrdf {
 
 std::string conditioningFigureScript(const std::string& title,
                                      const std::vector<ConditioningCurve>& curves, bool isPng) {
-    constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"};
     constexpr double kLeast = 1e-7;  // Floats tell no less.
     constexpr double kMost = 100;
     double largest = 10;
@@ -37,7 +38,7 @@ std::string conditioningFigureScript(const std::string& title,
         script += "EOD\n";
         plots += fmt::format(
             ", $c{} using 1:2 with linespoints pt {} ps 0.9 lw 2 lc rgb '{}' title '{}'", i, 5 + i,
-            kColors[i % kColors.size()], curves[i].method);
+            kFigureColors[i % kFigureColors.size()], curves[i].method);
     }
     return script + "plot " + plots + "\n";
 }

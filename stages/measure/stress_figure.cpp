@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/measure/stress_figure.h"
 
+#include "stages/measure/figure_colors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +12,6 @@
 namespace abrdf {
 
 namespace {
-
-/// Okabe and Ito's colours, which most colour-blind people tell apart.
-constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 
 constexpr double kLeast = 0.02;  ///< Delta E at the foot of the axis.
 constexpr double kMost = 200;
@@ -68,7 +66,7 @@ std::string stressFigureScript(const StressFigure& figure, bool isPng) {
     std::string plots = "3 lc rgb '#b0b0b0' dt 2 notitle";
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
         const StressCurve& curve = figure.curves[i];
-        const char* color = kColors[i % kColors.size()];
+        const char* color = kFigureColors[i % kFigureColors.size()];
         script += dataOf(curve, i);
         plots +=
             fmt::format(", $c{} using 1:2 with {} pt 7 ps 0.8 lw 2 lc rgb '{}' title {}", i,

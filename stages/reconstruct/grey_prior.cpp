@@ -72,7 +72,7 @@ GreyEstimate GreyPrior::estimate(const Eigen::VectorXd& samples) const {
     Sums sums{Eigen::VectorXd::Zero(outputs), Eigen::VectorXd::Zero(samples.size())};
     const std::vector<PriorTerm> terms = chooseTerms(model_, samples, 0);
     for (const PriorTerm& term : terms) addTerm(term, logs.z, sums);
-    const double cap = std::log(3 / model_.scaleFactor) + 0.7;
+    const double cap = mostLog(model_);
     const auto valuesOf = [&](const Eigen::VectorXd& x) {
         return Eigen::VectorXd((x.array().min(cap).exp() - kPriorFloor).max(0.0) * logs.scale);
     };

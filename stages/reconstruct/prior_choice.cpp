@@ -159,6 +159,10 @@ double isotropicShare(const PriorModel& model, const std::vector<PriorTerm>& ter
     return share;
 }
 
+double mostLog(const PriorModel& model) {
+    return std::log(3 / model.scaleFactor) + 0.7;
+}
+
 std::pair<long, long> subspaceOf(const LightAndView& sample) {
     return {std::lround(10 * degreesFromRadians(sample.light.theta)),
             std::lround(10 * degreesFromRadians(sample.view.theta))};

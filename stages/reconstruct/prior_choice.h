@@ -30,6 +30,10 @@ struct LogSamples {
 };
 LogSamples logSamples(const PriorModel& model, const Eigen::VectorXd& values);
 
+/// ln of the largest value, relative to the scale, that is believed: three times the largest
+/// samples, and a little room for a highlight between them.
+double mostLog(const PriorModel& model);
+
 /// (theta_i, theta_v) in tenths of a degree.
 std::pair<long, long> subspaceOf(const LightAndView& sample);
 

@@ -83,9 +83,7 @@ PriorMaterial::PriorMaterial(const PriorModel& model, std::span<const std::size_
     shownExposure_ = choiceExposure(luminancesOf(chosenBy).reshaped());
     const ChromaKriging kriging(model.samples, colors, chosenBy, shownExposure_);
     rule_.floor = static_cast<float>(kPriorFloor);
-    // ln of the largest value relative to the scale: three times the largest samples, and a little
-    // room for a highlight between them.
-    rule_.cap = static_cast<float>(std::log(3 / model.scaleFactor) + 0.7);
+    rule_.cap = static_cast<float>(mostLog(model));
     rule_.blend = chosenBlend(model, chosenBy, shownExposure_, kriging.leaveOneOut());
     // The centre of a texel that is alone is the texel: as it will be encoded.
     PriorEncoder::Centers centers = PriorEncoder::centersOf(

@@ -73,7 +73,7 @@ TwinAnswer priorTwin(const ReconstructionTask& task) {
             x += weight * logsOf(model, term, z, twin.condition);
         }
     }
-    const Long cap = std::log(3 / static_cast<Long>(model.scaleFactor)) + 0.7L;
+    const Long cap = mostLog(model);
     for (std::size_t i = 0; i < rowOf.size(); ++i) {
         const Long log = std::min(x(static_cast<Eigen::Index>(rowOf[i])), cap);
         const auto value =

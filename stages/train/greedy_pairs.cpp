@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/train/greedy_pairs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -43,6 +44,10 @@ GreedyChoice chosen(std::vector<ConditionedClass> classes, Eigen::VectorXd allow
 }
 
 }  // namespace
+
+std::size_t greedyMaterials(std::size_t pairs) {
+    return std::clamp<std::size_t>(1000 * 6561 / std::max<std::size_t>(pairs, 1), 200, 1000);
+}
 
 GreedyChoice greedyPairs(const AngularGrid& grid, std::span<const std::size_t> candidates,
                          const GreedyOptions& options, const ProgressSink& progress) {

@@ -12,6 +12,10 @@
 
 namespace abrdf {
 
+/// Random materials of each class for a choice over so many pairs: a thousand on UBO2003's grid,
+/// fewer where a grid is so fine that they fill the memory.
+std::size_t greedyMaterials(std::size_t pairs);
+
 struct GreedyOptions {
     std::size_t count = 204;       ///< Pairs to choose, 1 .. candidates.
     std::size_t materials = 1000;  ///< Random materials of each class, >= 2.

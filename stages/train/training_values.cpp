@@ -31,6 +31,12 @@ Eigen::MatrixXf valuesOf(std::span<const PreparedMaterial> materials,
     return values;
 }
 
+Eigen::VectorXd valuesOf(const PreparedMaterial& material, std::span<const VectorPair> pairs) {
+    Eigen::VectorXf values(static_cast<Eigen::Index>(pairs.size()));
+    material.evaluate(pairs, {values.data(), pairs.size()});
+    return values.cast<double>();
+}
+
 Eigen::VectorXd quantileOfColumns(const Eigen::MatrixXf& values, double q) {
     Eigen::VectorXd result(values.cols());
     forEachTexelBlock(

@@ -18,6 +18,9 @@ std::vector<VectorPair> vectorPairs(std::span<const LightAndView> pairs);
 Eigen::MatrixXf valuesOf(std::span<const PreparedMaterial> materials,
                          std::span<const VectorPair> pairs);
 
+/// The values of one.
+Eigen::VectorXd valuesOf(const PreparedMaterial& material, std::span<const VectorPair> pairs);
+
 /// The q-quantile of each column, interpolated between ranks.
 Eigen::VectorXd quantileOfColumns(const Eigen::MatrixXf& values, double q);
 

@@ -119,17 +119,10 @@ std::vector<Seen> ofRandom(const Setting& setting, const GreyPrior& prior) {
         Random random(0xc0f1de, i);
         const PreparedMaterial material(
             randomMaterial(kMaterialClasses[i % kMaterialClasses.size()], random));
-        const auto valuesAt = [&](const std::vector<VectorPair>& pairs) {
-            std::vector<float> values(pairs.size());
-            material.evaluate(pairs, values);
-            return Eigen::VectorXd(
-                Eigen::Map<Eigen::VectorXf>(values.data(), static_cast<Eigen::Index>(values.size()))
-                    .cast<double>());
-        };
-        const Eigen::VectorXd luminance = valuesAt(samples);
+        const Eigen::VectorXd luminance = valuesOf(material, samples);
         const Eigen::VectorXd estimate = prior.estimate(luminance).outputs;
         all[i] = seenOf(setting, prior, luminance, estimate);
-        const Eigen::VectorXd truth = valuesAt(outputs);
+        const Eigen::VectorXd truth = valuesOf(material, outputs);
         all[i].error = estimate.binaryExpr(
             truth, [](double a, double b) { return std::abs(lightness(a) - lightness(b)); });
     });

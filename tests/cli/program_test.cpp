@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/atlas_reader.h"
+#include "tests/support/files_in.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -27,15 +28,6 @@ const fs::path& demoZip() {
         return folder.path() / "cloth.zip";
     }();
     return zip;
-}
-
-std::vector<std::string> filesIn(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        names.push_back(entry.path().filename().string());
-    }
-    std::ranges::sort(names);
-    return names;
 }
 
 bool contains(const std::string& text, const std::string& part) {

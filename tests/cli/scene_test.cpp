@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "color/delta_e.h"
+#include "tests/support/files_in.h"
 #include "tests/support/rgl_samples.h"
 #include "tests/support/run_program.h"
 #include "tests/support/synthetic_atlas.h"
@@ -33,15 +34,6 @@ fs::path glossyMap(const fs::path& folder) {
     };
     writeAtlas(folder / "map.exr", syntheticAtlas(AngularGrid(ubo81Directions()), 2, 2, value));
     return folder / "map.exr";
-}
-
-std::vector<std::string> filesIn(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        names.push_back(entry.path().filename().string());
-    }
-    std::ranges::sort(names);
-    return names;
 }
 
 /// R, G, B, A of part 0.

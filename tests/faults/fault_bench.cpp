@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/faults/fault_bench.h"
 
+#include "tests/support/files_in.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -69,15 +71,6 @@ std::vector<std::string> wordsOf(const Job& job, bool resume) {
 void must(const std::vector<std::string>& words, const fs::path& folder) {
     const Outcome outcome = JobRun(words, folder, {}).end();
     if (outcome.status != 0) throw std::runtime_error(words[0] + ": " + outcome.err);
-}
-
-std::vector<std::string> namesIn(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        names.push_back(entry.path().filename().string());
-    }
-    std::ranges::sort(names);
-    return names;
 }
 
 }  // namespace
@@ -154,7 +147,7 @@ void FaultBench::expectNothingHalf(const Job& job, bool mayContinue) {
     const bool exists = fs::exists(work() / job.output);
     expect(found == job.reference || (old_ ? found == kOld : !exists),
            job.output + " is neither absent, old nor whole");
-    for (const std::string& name : namesIn(work())) {
+    for (const std::string& name : filesIn(work())) {
         const bool isSideFile = job.name == "export" && name == job.output + ".json";
         const bool isContinued = mayContinue && std::ranges::any_of(kLeft, [&](const char* ending) {
                                      return name == "." + job.output + ending;
