@@ -52,7 +52,7 @@ class GrazingMap {
     std::uint64_t extrapolatedPairs() const { return extrapolatedPairs_; }
 
     /// How much each pair of the inner grid matters where those of the outer one do so by
-    /// `weights`; the same sum, but for kExtrapolate's.
+    /// `weights`: the adjoint of apply(), where no share is negative.
     std::vector<double> innerWeights(std::span<const double> weights) const;
 
     /// All pairs of the outer grid for each texel, from all pairs of the inner one.

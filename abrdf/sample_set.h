@@ -13,7 +13,7 @@ enum class SampleWish {
     kSlices,  ///< The plan's samples at their exact places, interpolated from measured pairs.
     kMeasuredPairs,  ///< The distinct measured pairs nearest to the plan's, at their true
                      ///< directions.
-    kEverything,     ///< Every pair of the database.
+    kEverything,     ///< Every pair of the database; for another grid, those that it needs.
 };
 
 /// The samples of a job, and of which measured pairs each is made.

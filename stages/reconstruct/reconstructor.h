@@ -104,8 +104,8 @@ class Reconstructor {
 /// how much of an answer is rounding.
 struct TwinAnswer {
     std::vector<std::array<double, 3>> abrdf;  ///< A value an output pair; may be negative.
-    double condition =
-        1;  ///< Largest condition number (2-norm, or 1-norm's estimate) of its systems.
+    /// Largest condition number (2-norm, or 1-norm's estimate) of its systems.
+    double condition = 1;
 };
 
 /// A reconstruction method: one file in this folder.

@@ -85,9 +85,10 @@ TEST_CASE("where the cosine is not in the values, they are held as they are") {
 }
 
 TEST_CASE("weights of the outer grid reach the pairs that it is made of") {
-    const AngularGrid outer({{0.2, 0}, {radiansFromDegrees(85), 1}}, {{0.3, 0}, {0.4, 0}});
+    const Direction past = {radiansFromDegrees(85), 1};
+    const AngularGrid outer({{0.2, 0}, past}, {{0.3, 0}, past});
     const std::vector<double> weights = {0.1, 0.2, 0.3, 0.4};
-    const GrazingMap map(outer, kMax, Grazing::kHold, Cosine::kDivided);
+    const GrazingMap map(outer, kMax, Grazing::kFade, Cosine::kKept);
     const std::vector<double> inner = map.innerWeights(weights);
     REQUIRE(inner.size() == map.inner().pairCount());
     // The adjoint of apply().
