@@ -174,10 +174,16 @@ bool isLackOfMemory(const std::exception& error) {
            std::string_view(error.what()).starts_with("pthread_create");
 }
 
-void sayFailed(const std::exception& error) {
-    std::cerr << "abrdf: "
-              << (isLackOfMemory(error) ? std::string(kNoMemory) : abrdf::printable(error.what()))
-              << "\n";
+/// Takes no memory where there is none, not even a string's.
+void sayFailed(const std::exception& error) noexcept {
+    if (!isLackOfMemory(error)) {
+        try {
+            std::cerr << "abrdf: " << abrdf::printable(error.what()) << "\n";
+            return;
+        } catch (const std::bad_alloc&) {
+        }
+    }
+    std::cerr << "abrdf: " << kNoMemory << "\n";
 }
 
 /// Where an exception has nobody to catch it, as in the libraries' own threads.
@@ -202,7 +208,7 @@ int statusOf(int argc, char** argv) {
         std::signal(gSignal, SIG_DFL);
         std::raise(gSignal);
     } catch (const std::invalid_argument& error) {
-        std::cerr << "abrdf: " << abrdf::printable(error.what()) << "\n";
+        sayFailed(error);
         return kWrongUsage;
     } catch (const std::exception& error) {
         sayFailed(error);

@@ -48,9 +48,11 @@ void limit(__rlimit_resource resource, long bytes) {
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const bool isBounded = attack.moreBytes >= 0;
-    if (isBounded || !attack.fault.empty()) setenv("LD_PRELOAD", gShim.c_str(), 1);
+    const bool isEnded = attack.news >= 0;
+    if (isBounded || isEnded || !attack.fault.empty()) setenv("LD_PRELOAD", gShim.c_str(), 1);
     if (!attack.fault.empty()) setenv("ABRDF_FAULT", attack.fault.c_str(), 1);
     if (isBounded) setenv("ABRDF_MORE_MEMORY", std::to_string(attack.moreBytes).c_str(), 1);
+    if (isEnded) setenv("ABRDF_NEWS", std::to_string(attack.news).c_str(), 1);
     if (chdir(folder.c_str()) != 0) _exit(126);
     if (attack.asNobody && (setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(126);
     limit(RLIMIT_FSIZE, attack.fileBytes);

@@ -15,6 +15,7 @@ struct Attack {
     long moreBytes = -1;                   ///< Address space beyond what the libraries take.
     bool asNobody = false;                 ///< Without root's right to open everything.
     std::string fault;                     ///< As shim.cpp takes it.
+    long news = -1;                        ///< Calls of operator new that get memory.
     std::vector<std::string> environment;  ///< "TMPDIR=/x".
 };
 

@@ -8,6 +8,8 @@
 // after it).
 //   ABRDF_MORE_MEMORY=BYTES
 // bounds the address space (RLIMIT_AS) to so much more than the libraries take, as main() begins.
+//   ABRDF_NEWS=NUMBER
+// so many calls of operator new from main() on get memory, and none after them.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -22,6 +24,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
+#include <new>
 #include <string>
 
 namespace {
@@ -55,7 +59,9 @@ const Fault& fault() {
 
 std::atomic<long> gCalls = 0;
 
+/// Empty where no fault is meant: a name takes memory.
 std::string pathOf(int file) {
+    if (fault().call.empty()) return {};
     const int error = errno;
     char path[4096];
     const std::string link = "/proc/self/fd/" + std::to_string(file);
@@ -84,6 +90,13 @@ int before(const std::string& path) {
 
 void after() {
     if (fault().action == "killafter") raise(SIGKILL);
+}
+
+constexpr long kEndless = std::numeric_limits<long>::max();
+std::atomic<long> gNewsLeft = kEndless;
+
+bool isMemoryLeft() {
+    return gNewsLeft.load(std::memory_order_relaxed) == kEndless || --gNewsLeft >= 0;
 }
 
 template <typename Function>
@@ -197,21 +210,60 @@ void* mmap(void* place, size_t size, int protection, int flags, int file, off_t 
 
 using Main = int (*)(int, char**, char**);
 
-// What the libraries do before main(), among it crashes in too little memory, is theirs.
+Main programsMain = nullptr;
+
+void boundAddresses(long more) {
+    long pages = 0;
+    if (FILE* sizes = std::fopen("/proc/self/statm", "r"); sizes != nullptr) {
+        if (std::fscanf(sizes, "%ld", &pages) != 1) abort();
+        std::fclose(sizes);
+    }
+    const auto bytes = static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE) + more);
+    const rlimit bound{bytes, bytes};
+    setrlimit(RLIMIT_AS, &bound);
+}
+
+int boundMain(int argc, char** argv, char** environment) {
+    if (const char* more = std::getenv("ABRDF_MORE_MEMORY"); more != nullptr) {
+        boundAddresses(std::atol(more));
+    }
+    if (const char* news = std::getenv("ABRDF_NEWS"); news != nullptr) gNewsLeft = std::atol(news);
+    return programsMain(argc, argv, environment);
+}
+
+// What the libraries do before main(), as CLI11 that makes its validators there, is theirs.
 int __libc_start_main(Main main, int argc, char** argv, void (*first)(), void (*last)(),
                       void (*linkerLast)(), void* stackEnd) {
-    if (const char* more = std::getenv("ABRDF_MORE_MEMORY"); more != nullptr) {
-        long pages = 0;
-        if (FILE* sizes = std::fopen("/proc/self/statm", "r"); sizes != nullptr) {
-            if (std::fscanf(sizes, "%ld", &pages) != 1) abort();
-            std::fclose(sizes);
-        }
-        const auto bytes = static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE) + std::atol(more));
-        const rlimit bound{bytes, bytes};
-        setrlimit(RLIMIT_AS, &bound);
-    }
     STANDS_FOR(__libc_start_main);
-    return next(main, argc, argv, first, last, linkerLast, stackEnd);
+    programsMain = main;
+    return next(boundMain, argc, argv, first, last, linkerLast, stackEnd);
 }
 
 }  // extern "C"
+
+void* operator new(std::size_t size) {
+    void* const place = isMemoryLeft() ? std::malloc(size) : nullptr;
+    if (place == nullptr) throw std::bad_alloc();
+    return place;
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    void* place = nullptr;
+    if (!isMemoryLeft() || posix_memalign(&place, static_cast<std::size_t>(alignment), size) != 0) {
+        throw std::bad_alloc();
+    }
+    return place;
+}
+
+void operator delete(void* place) noexcept {
+    std::free(place);
+}
+void operator delete(void* place, std::size_t) noexcept {
+    std::free(place);
+}
+void operator delete(void* place, std::align_val_t) noexcept {
+    std::free(place);
+}
+void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
+    std::free(place);
+}
