@@ -19,6 +19,8 @@ Direction directionFromVector(const Imath::V3d& vector) {
 }
 
 Radians wrappedAzimuth(Radians angle) {
+    // Look-ups ask for little else.
+    if (angle > 0 && angle < 2 * kPi) return angle;
     // Of so many turns the product below would leave anything but an azimuth.
     constexpr Radians kManyTurns = 1e9;
     if (std::abs(angle) > kManyTurns) angle = std::fmod(angle, 2 * kPi);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pipeline/batch.h"
+#include "pipeline/batch/batch.h"
 
 #include <filesystem>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/chart.h"
+#include "pipeline/chart/chart.h"
 
 #include "abrdf/printable.h"
 #include "cli/command.h"

@@ -3,10 +3,10 @@
 
 #include "abrdf/grazing.h"
 #include "abrdf/progress.h"
+#include "pipeline/convert/plane.h"
 #include "pipeline/job.h"
-#include "pipeline/page_job.h"
-#include "pipeline/plane.h"
 #include "pipeline/reconstruction.h"
+#include "pipeline/report/page_job.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

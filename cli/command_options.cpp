@@ -2,8 +2,8 @@
 #include "abrdf/output_file.h"
 #include "abrdf/printable.h"
 #include "cli/command.h"
+#include "pipeline/convert/memory_plan.h"
 #include "pipeline/json_text.h"
-#include "pipeline/memory_plan.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>

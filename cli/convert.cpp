@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/convert.h"
+#include "pipeline/convert/convert.h"
 
 #include "cli/command.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/command.h"
-#include "pipeline/demo_database.h"
+#include "pipeline/demo/demo_database.h"
 
 namespace abrdf {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/evaluate.h"
+#include "pipeline/evaluate/evaluate.h"
 
 #include "cli/command.h"
 #include "pipeline/named_pair.h"

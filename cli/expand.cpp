@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/expand.h"
+#include "pipeline/convert/expand.h"
 
 #include "cli/command.h"
 

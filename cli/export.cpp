@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/export.h"
+#include "pipeline/export/export.h"
 
 #include "cli/command.h"
-#include "pipeline/scene_program.h"
+#include "pipeline/export/scene_program.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/inspect.h"
+#include "pipeline/inspect/inspect.h"
 
 #include "cli/command.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/merge.h"
+#include "pipeline/convert/merge.h"
 
 #include "cli/command.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/plan.h"
+#include "pipeline/plan/plan.h"
 
 #include "cli/command.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/preview.h"
+#include "pipeline/preview/preview.h"
 
 #include "cli/command.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/report.h"
+#include "pipeline/report/report.h"
 
 #include "cli/command.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/stress.h"
+#include "pipeline/stress/stress.h"
 
 #include "abrdf/printable.h"
 #include "cli/command.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/train.h"
+#include "pipeline/train/train.h"
 
 #include "abrdf/printable.h"
 #include "cli/command.h"

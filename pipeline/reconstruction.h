@@ -2,9 +2,9 @@
 #pragma once
 
 #include "pipeline/job.h"
-#include "pipeline/plan_choice.h"
-#include "pipeline/prior_cache.h"
-#include "pipeline/scene_plan.h"
+#include "pipeline/plan/plan_choice.h"
+#include "pipeline/plan/scene_plan.h"
+#include "pipeline/train/prior_cache.h"
 
 #include <memory>
 #include <optional>

@@ -66,20 +66,17 @@ bool isPastMeasured(const Cells& cells, std::size_t index, const ExportSource& s
     return source.brdf.isExtrapolated(pairAt(cells, u));
 }
 
-/// The mean over a cell; turns of an isotropic sample take turns with the places.
+/// The mean over a cell's views for the light in its middle, so that for this light the file
+/// reflects what the material does; turns of an isotropic sample take turns with the places.
 Rgb cellValue(const Cells& cells, std::size_t index, const TurnedBrdf& brdf, int turns) {
-    const std::array<double, 4> corner = cornerOf(cells, index);
+    std::array<double, 4> u = cornerOf(cells, index);
+    const std::array<double, 4> corner = u;
     const auto side = static_cast<double>(std::size_t{1} << cells.levels);
     const auto rank = static_cast<std::size_t>(cells.rank);
+    for (std::size_t d = 0; d + 2 < rank; ++d) u[d] = (corner[d] + 0.5) / side;
     const int count = cells.parts * cells.parts;
     Rgb sum;
     for (int k = 0; k < count; ++k) {
-        std::array<double, 4> u = corner;
-        // The light's place goes through its cell as the view does, in another order.
-        for (std::size_t d = 0; d + 2 < rank; ++d) {
-            const int step = d == 0 ? (7 * k) % count : (3 * k + 1) % count;
-            u[d] = (corner[d] + (step + 0.5) / count) / side;
-        }
         u[rank - 2] = (corner[rank - 2] + (k / cells.parts + 0.5) / cells.parts) / side;
         u[rank - 1] = (corner[rank - 1] + (k % cells.parts + 0.5) / cells.parts) / side;
         const LightAndView pair = pairAt(cells, u);

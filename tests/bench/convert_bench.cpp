@@ -5,7 +5,7 @@
 #include "abrdf/demo_cloth.h"
 #include "abrdf/for_each_texel.h"
 #include "color/delta_e.h"
-#include "pipeline/convert.h"
+#include "pipeline/convert/convert.h"
 #include "tests/bench/decode_limit.h"
 
 #include <OpenImageIO/imageio.h>

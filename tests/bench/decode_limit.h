@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abrdf/for_each_texel.h"
-#include "pipeline/convert.h"
+#include "pipeline/convert/convert.h"
 
 #include <turbojpeg.h>
 #include <zip.h>

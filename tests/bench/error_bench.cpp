@@ -2,7 +2,7 @@
 //
 // What the prior says of its own error, beside the truth, and what a tolerance saves: the table
 // "Knowing the error" of README.md, over the measured materials at 1 x 1.
-#include "pipeline/prior_cache.h"
+#include "pipeline/train/prior_cache.h"
 #include "stages/measure/measures.h"
 #include "stages/reconstruct/prior_material.h"
 #include "stages/slice/choose_samples.h"

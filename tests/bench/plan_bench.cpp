@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How the prior's true error follows from what a plan leaves uncertain: the figures behind
-// pipeline/expected_error.cpp and the table "Plans" of README.md, of the plans that are built in or
-// of those in the files given: natural and highlight Delta E and PSNR, random and measured.
-#include "pipeline/expected_error.h"
-#include "pipeline/plan_file.h"
+// pipeline/plan/expected_error.cpp and the table "Plans" of README.md, of the plans that are built
+// in or of those in the files given: natural and highlight Delta E and PSNR, random and measured.
+#include "pipeline/plan/expected_error.h"
+#include "pipeline/plan/plan_file.h"
 #include "stages/measure/measures.h"
 #include "stages/reconstruct/prior_material.h"
 #include "stages/slice/choose_samples.h"

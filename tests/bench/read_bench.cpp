@@ -6,7 +6,7 @@
 // ones alone.
 #include "abrdf/demo_cloth.h"
 #include "abrdf/for_each_texel.h"
-#include "pipeline/demo_database.h"
+#include "pipeline/demo/demo_database.h"
 #include "stages/read/btf_reader.h"
 #include "stages/read/decode_image.h"
 #include "tests/support/small_files.h"

@@ -6,7 +6,7 @@
 //   scale_bench DATABASE.zip [TEXELS=256 [PART]]      from: abrdf demo DATABASE.zip --size 256
 // PART: measured, rank, full, one, growth or threads alone.
 #include "abrdf/output_file.h"
-#include "pipeline/child_process.h"
+#include "pipeline/batch/child_process.h"
 #include "stages/read/atlas_tiles.h"
 #include "tests/bench/decode_limit.h"
 #include "tests/bench/stopwatch.h"

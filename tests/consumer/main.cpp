@@ -2,8 +2,8 @@
 //
 // A BTF to an atlas to one number, through the installed libraries alone.
 #include "abrdf/atlas.h"
-#include "pipeline/convert.h"
-#include "pipeline/demo_database.h"
+#include "pipeline/convert/convert.h"
+#include "pipeline/demo/demo_database.h"
 #include "stages/read/atlas_reader.h"
 
 #include <iostream>
