@@ -170,6 +170,22 @@ TEST_CASE("what is not reciprocal is kept for the viewer's side, and its share i
     CHECK(report.details["notes"].dump().find("not reciprocal") != std::string::npos);
 }
 
+TEST_CASE("an atlas that reflects more than it receives is told so, and kept") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "m.bsdf";
+    Glossy brdf;
+    for (const double albedo : {0.9, 1.5}) {
+        brdf.albedo = albedo;
+        const GrazingBrdf source(brdf, kPi / 2, Grazing::kHold, Cosine::kKept);
+        const ExportReport report = exportFormatFromName("rgl").write(
+            path, {source, Cosine::kKept, "test", true}, ExportOptions());
+        const double largest = report.details["largest_reflectance"];
+        CHECK(std::abs(largest / albedo - 1) < 0.01);
+        const std::string notes = report.details["notes"].dump();
+        CHECK((notes.find("reflects up to 1.5") != std::string::npos) == (albedo > 1));
+    }
+}
+
 TEST_CASE("black is drawn from evenly") {
     const TemporaryFolder folder;
     const fs::path path = folder.path() / "m.bsdf";
