@@ -33,7 +33,7 @@ ordered_json jobOf(const AtlasTiles& shard, const fs::path& path) {
             "{}: is a whole atlas and no part of one; give only what one convert --shard I/N made",
             path.string()));
     }
-    if (!job.is_object()) {
+    if (!job.is_object() || shard.header().layout.kind != AtlasKind::kAngular) {
         throw std::runtime_error(fmt::format(
             "{}: is no shard of an atlas; those are made by convert --shard I/N", path.string()));
     }
@@ -43,6 +43,12 @@ ordered_json jobOf(const AtlasTiles& shard, const fs::path& path) {
             fmt::format("{}: has a damaged header: its job lacks its {}", path.string(), key));
     }
     return job;
+}
+
+/// What all shards of a job have alike, whatever its text says.
+std::string formOf(const AtlasLayout& layout) {
+    return fmt::format("texels {} wide of {} x {} directions", layout.texelsWide, layout.lights,
+                       layout.views);
 }
 
 /// Throws where a shard is of another job than the first, or of another division of it.
@@ -63,6 +69,10 @@ void checkOneJob(const std::vector<AtlasTiles>& shards, const std::vector<fs::pa
                 "pixels were {} and are {}, as a value in one part fits no half; convert all parts "
                 "with --pixel float, or with half",
                 nameOf(shards[0].type()), nameOf(shards[i].type()));
+        }
+        const std::string form = formOf(shards[i].header().layout);
+        if (changed.empty() && form != formOf(shards[0].header().layout)) {
+            changed = fmt::format("{} instead of {}", form, formOf(shards[0].header().layout));
         }
         if (changed.empty()) continue;
         throw std::runtime_error(fmt::format("{}: is not of the job of {}: {}", paths[i].string(),
@@ -109,7 +119,14 @@ AtlasHeader wholeHeader(const std::vector<AtlasTiles>& shards, const ordered_jso
     header.shards = 0;
     header.counts = {};
     header.layout.texelsHigh = 0;
+    const int tileHeight = shards[0].order().tileHeight();
     for (const AtlasTiles& shard : shards) {
+        if (header.layout.texelsHigh % tileHeight != 0) {
+            throw std::runtime_error(fmt::format(
+                "{}: part {} begins within a tile of the whole, and convert --shard cuts between "
+                "them; make the parts again",
+                first.string(), shard.header().shard));
+        }
         header.layout.texelsHigh += shard.header().layout.texelsHigh;
         header.counts += shard.header().counts;
     }

@@ -12,7 +12,8 @@ namespace abrdf {
 
 std::vector<FuzzTarget> fuzzTargets() {
     std::vector<FuzzTarget> all;
-    for (const auto& some : {readerTargets(), atlasTargets(), jobTargets(), methodTargets()}) {
+    for (const auto& some :
+         {readerTargets(), atlasTargets(), jobTargets(), mergeTargets(), methodTargets()}) {
         all.insert(all.end(), some.begin(), some.end());
     }
     return all;

@@ -22,6 +22,7 @@ struct FuzzTarget {
 std::span<const FuzzTarget> readerTargets();  ///< A target for each database format.
 std::span<const FuzzTarget> atlasTargets();   ///< Atlases, look-ups in them, environments.
 std::span<const FuzzTarget> jobTargets();     ///< Job files, plans, models, journals, reports.
+std::span<const FuzzTarget> mergeTargets();   ///< Shards of an atlas.
 std::span<const FuzzTarget> methodTargets();  ///< Reconstruction: options and samples.
 
 /// All of them.

@@ -3,6 +3,7 @@
 
 #include "pipeline/convert/convert.h"
 #include "stages/read/atlas_reader.h"
+#include "tests/support/synthetic_atlas.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
 
@@ -161,6 +162,43 @@ TEST_CASE("a shard whose header tells only a part of its job is refused by name"
         CHECK(faultOf(merging).find("part1of2.exr: has a damaged header") != std::string::npos);
         CHECK_FALSE(fs::exists(merging.output));
     }
+}
+
+TEST_CASE("shards that lie about their form are refused, whatever job they name") {
+    const TemporaryFolder folder;
+    MergeOptions merging;
+    merging.output = folder.path() / "merged.exr";
+    merging.shards = {folder.path() / "a.exr", folder.path() / "b.exr"};
+    const auto write = [&](int shard, int width, int height, int views, AtlasKind kind) {
+        const AngularGrid grid(regularDirections(1, 32), regularDirections(1, views));
+        const Atlas part = syntheticAtlas(grid, width, height, [](const LightAndView&, int, int) {
+            return Rgb{1, 2, 3};
+        });
+        AtlasHeader header = part.header();
+        header.layout.kind = kind;
+        header.shard = shard;
+        header.shards = 2;
+        header.job = R"({"layout":"angular","texels":"2x4","compression":"none"})";
+        const auto pixels = part.pixels();
+        writeAtlas(merging.shards[static_cast<std::size_t>(shard - 1)],
+                   Atlas(header, {pixels.begin(), pixels.end()}));
+    };
+    const auto first = [&] { write(1, 2, 2, 3, AtlasKind::kAngular); };
+    first();
+    write(2, 2, 2, 3, AtlasKind::kAngular);
+    CHECK(faultOf(merging).empty());
+    fs::remove(merging.output);
+    write(2, 2, 2, 5, AtlasKind::kAngular);
+    CHECK(faultOf(merging).find("2 wide of 32 x 5 directions instead of") != std::string::npos);
+    write(2, 3, 2, 3, AtlasKind::kAngular);
+    CHECK(faultOf(merging).find("texels 3 wide") != std::string::npos);
+    write(2, 2, 2, 3, AtlasKind::kSpatial);
+    CHECK(faultOf(merging).find("b.exr: is no shard") != std::string::npos);
+    // 32 lights: two rows of texels a tile.
+    write(1, 2, 1, 3, AtlasKind::kAngular);
+    write(2, 2, 3, 3, AtlasKind::kAngular);
+    CHECK(faultOf(merging).find("part 2 begins within a tile") != std::string::npos);
+    CHECK_FALSE(fs::exists(merging.output));
 }
 
 TEST_CASE("a shard is I/N with I from 1 to N, and no more of them than rows of tiles") {
