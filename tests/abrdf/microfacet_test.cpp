@@ -4,6 +4,7 @@
 #include "abrdf/analytic_material.h"
 #include "abrdf/direction.h"
 #include "abrdf/random.h"
+#include "tests/support/facets.h"
 
 #include <doctest/doctest.h>
 
@@ -14,33 +15,6 @@ namespace abrdf {
 namespace {
 
 using Imath::V3f;
-
-V3f unit(double thetaDegrees, double phiDegrees) {
-    return V3f(
-        vectorFromDirection({radiansFromDegrees(thetaDegrees), radiansFromDegrees(phiDegrees)}));
-}
-
-AnalyticMaterial flat(const Facet& facet) {
-    AnalyticMaterial material;
-    material.facets = {facet};
-    return material;
-}
-
-Facet lambertian(float albedo) {
-    Facet facet;
-    facet.diffuse.albedo = albedo;
-    return facet;
-}
-
-Facet mirror(LobeShape shape, float roughnessX, float roughnessY) {
-    Facet facet;
-    facet.lobes[0].strength = 1;
-    facet.lobes[0].shape = shape;
-    facet.lobes[0].fresnel = {1, 1, 5};
-    facet.lobes[0].roughnessX = roughnessX;
-    facet.lobes[0].roughnessY = roughnessY;
-    return facet;
-}
 
 /// The share of the light from `light` that leaves again: the integral of value(light, w) cos_w /
 /// (pi cos_light) over all views w.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/output_file.h"
 
+#include "tests/support/fault_of.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,17 +24,6 @@ std::string contentOf(const fs::path& file) {
 
 auto filesIn(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), {});
-}
-
-/// What a call throws; empty where it passes.
-template <typename Call>
-std::string faultOf(const Call& call) {
-    try {
-        call();
-        return {};
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "color/delta_e.h"
 #include "pipeline/convert/convert.h"
 #include "tests/bench/decode_limit.h"
+#include "tests/support/temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -33,19 +34,6 @@ constexpr int kSize = 256;            // pixels each way, as UBO2003's
 constexpr std::size_t kCloths = 384;  // distinct images; the poster's plan reads fewer
 constexpr int kQuality = 95;
 constexpr int kRounds = 11;
-
-/// A folder of this run alone, removed at its end.
-struct TemporaryFolder {
-    fs::path path = fs::temp_directory_path() / ("abrdf_bench_" + std::to_string(getpid()));
-
-    TemporaryFolder() { fs::create_directories(path); }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 /// A photograph of the virtual cloth, with the noise of a camera.
 Bytes jpegOf(const abrdf::DemoCloth& cloth, const abrdf::LightAndView& pair, unsigned seed) {
@@ -162,13 +150,13 @@ void print(const char* what, const std::vector<double>& seconds) {
                              1000 * median(seconds), 1000 * std::ranges::min(seconds));
 }
 
-void run(const TemporaryFolder& folder, fs::path database) {
+void run(const abrdf::TemporaryFolder& folder, fs::path database) {
     if (database.empty()) {
-        database = folder.path / "database.zip";
+        database = folder.path() / "database.zip";
         std::cout << "making a database of 6561 images ...\n";
         writeDatabaseInChild(database);
     }
-    const fs::path atlas = folder.path / "atlas.exr";
+    const fs::path atlas = folder.path() / "atlas.exr";
     runProgram(database, atlas);  // Brings the files into the system's cache.
     const ProgramRun program = runProgram(database, atlas);
 
@@ -215,7 +203,7 @@ void run(const TemporaryFolder& folder, fs::path database) {
 int main(int argc, char** argv) {
     try {
         setenv("TZ", "UTC0", 0);  // As the program does.
-        const TemporaryFolder folder;
+        const abrdf::TemporaryFolder folder;
         run(folder, argc > 1 ? argv[1] : "");
         return 0;
     } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The manual and the shells' completions know what --help knows.
+#include "tests/support/fault_of.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -78,10 +79,6 @@ std::string completedByBash(const std::string& words) {
                             .c_str()) == 0);
     std::ifstream stream(result);
     return "\n" + std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-bool contains(const std::string& text, const std::string& what) {
-    return text.find(what) != std::string::npos;
 }
 
 }  // namespace

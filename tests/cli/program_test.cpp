@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/atlas_reader.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/files_in.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -28,10 +29,6 @@ const fs::path& demoZip() {
         return folder.path() / "cloth.zip";
     }();
     return zip;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

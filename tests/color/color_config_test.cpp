@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "color/color_config.h"
 
+#include "tests/support/fault_of.h"
+
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -69,23 +71,8 @@ std::string acesReferenceConfig(const std::string& textureName) {
            toRec709 + "\n";
 }
 
-// What a call says when it throws; empty where it does not.
-template <typename Call>
-std::string complaint(Call&& call) {
-    try {
-        call();
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return {};
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 bool before(const std::string& text, const std::string& first, const std::string& second) {
-    return has(text, first) && text.find(first) < text.find(second);
+    return contains(text, first) && text.find(first) < text.find(second);
 }
 
 ColorConfig shipped() {
@@ -127,19 +114,19 @@ TEST_SUITE("unit") {
     TEST_CASE("a chosen config that does not load is named, with the reason and the remedy") {
         const OcioVariable unset(std::nullopt);
         const auto load = [](const fs::path& path) {
-            return complaint([&] { ColorConfig::load(path); });
+            return faultOf([&] { ColorConfig::load(path); });
         };
         const std::string missing = load("/no/such/config.ocio");
-        CHECK(has(missing, "'/no/such/config.ocio' does not load"));
-        CHECK(has(missing, "could not read"));
-        CHECK(has(missing, "--colorconfig"));
+        CHECK(contains(missing, "'/no/such/config.ocio' does not load"));
+        CHECK(contains(missing, "could not read"));
+        CHECK(contains(missing, "--colorconfig"));
 
         const TemporaryFile garbage("_garbage.ocio", "colorspaces: [not, a, config");
-        CHECK(has(load(garbage.path()), garbage.path().string()));
+        CHECK(contains(load(garbage.path()), garbage.path().string()));
         const TemporaryFile nothing("_nothing.ocio", "");
-        CHECK(has(load(nothing.path()), "does not load"));
-        CHECK(has(load(fs::temp_directory_path()), "It is a folder"));
-        CHECK(has(load(""), "does not load"));
+        CHECK(contains(load(nothing.path()), "does not load"));
+        CHECK(contains(load(fs::temp_directory_path()), "It is a folder"));
+        CHECK(contains(load(""), "does not load"));
     }
 
     TEST_CASE("a config that loads but contradicts itself is refused") {
@@ -148,16 +135,16 @@ TEST_SUITE("unit") {
         const TemporaryFile file(
             "_invalid.ocio",
             std::string(text).replace(text.find(view), view.size(), "V, colorspace: Nowhere"));
-        const std::string error = complaint([&] { ColorConfig::load(file.path()); });
-        CHECK(has(error, file.path().string()));
-        CHECK(has(error, "Nowhere"));
+        const std::string error = faultOf([&] { ColorConfig::load(file.path()); });
+        CHECK(contains(error, file.path().string()));
+        CHECK(contains(error, "Nowhere"));
     }
 
     TEST_CASE("$OCIO that names no file is an error, never the shipped config in silence") {
         const OcioVariable ocio("/no/such/config.ocio");
-        const std::string error = complaint([] { ColorConfig::load(); });
-        CHECK(has(error, "'/no/such/config.ocio'"));
-        CHECK(has(error, "environment variable OCIO"));
+        const std::string error = faultOf([] { ColorConfig::load(); });
+        CHECK(contains(error, "'/no/such/config.ocio'"));
+        CHECK(contains(error, "environment variable OCIO"));
     }
 
     TEST_CASE("a space answers to its name, its aliases and its roles, in any case of letters") {
@@ -175,22 +162,22 @@ TEST_SUITE("unit") {
     TEST_CASE("an unknown space is answered with the nearest names, then with all") {
         const ColorConfig config = shipped();
         const auto ask = [&](const std::string& name) {
-            return complaint([&] { config.spaceName(name); });
+            return faultOf([&] { config.spaceName(name); });
         };
-        CHECK(has(ask("ACEScq"), "The colour config 'shipped' has no colour space 'ACEScq'."));
+        CHECK(contains(ask("ACEScq"), "The colour config 'shipped' has no colour space 'ACEScq'."));
         CHECK(before(ask("ACEScq"), "Did you mean 'ACEScg'", "It has: '"));
         CHECK(before(ask("acesgc"), "Did you mean 'ACEScg'", "It has: '"));
         CHECK(before(ask("lin_rec790"), "'lin_rec709'", "It has: '"));
         CHECK(before(ask("Linear Rec2021"), "'Linear Rec.2020'", "It has: '"));
         CHECK(before(ask("scene_liner"), "'scene_linear'", "It has: '"));
         CHECK(before(ask("texture"), "'sRGB - Texture'", "It has: '"));
-        CHECK_FALSE(has(ask("Kodachrome"), "Did you mean"));
+        CHECK_FALSE(contains(ask("Kodachrome"), "Did you mean"));
         for (const std::string& name : config.spaceNames()) {
-            CHECK(has(ask("Kodachrome"), "'" + name + "'"));
+            CHECK(contains(ask("Kodachrome"), "'" + name + "'"));
         }
-        CHECK(has(complaint([&] { config.transform("ACEScg", ""); }), "no colour space ''"));
-        CHECK(has(complaint([&] { config.transform("Kodachrome", "ACEScg"); }), "'Kodachrome'"));
-        CHECK(has(complaint([&] { config.aliases("Kodachrome"); }), "'Kodachrome'"));
+        CHECK(contains(faultOf([&] { config.transform("ACEScg", ""); }), "no colour space ''"));
+        CHECK(contains(faultOf([&] { config.transform("Kodachrome", "ACEScg"); }), "'Kodachrome'"));
+        CHECK(contains(faultOf([&] { config.aliases("Kodachrome"); }), "'Kodachrome'"));
     }
 
     TEST_CASE("a transform between names of one space is the identity and changes no bit") {

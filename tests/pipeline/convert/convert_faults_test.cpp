@@ -4,6 +4,7 @@
 #include "color/delta_e.h"
 #include "pipeline/convert/convert.h"
 #include "stages/read/atlas_reader.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -44,12 +45,7 @@ ConvertOptions jobOn(const fs::path& input, const fs::path& output) {
 
 /// What a job says; empty where it passes.
 std::string faultOf(const ConvertOptions& options) {
-    try {
-        convert(options, {});
-        return {};
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
+    return abrdf::faultOf([&] { convert(options, {}); });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "pipeline/convert/convert.h"
 #include "stages/read/atlas_reader.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/synthetic_atlas.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -52,12 +53,7 @@ std::vector<fs::path> shardsOf(ConvertOptions options, const fs::path& folder, i
 }
 
 std::string faultOf(const MergeOptions& options) {
-    try {
-        merge(options, {});
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return {};
+    return abrdf::faultOf([&] { merge(options, {}); });
 }
 
 }  // namespace

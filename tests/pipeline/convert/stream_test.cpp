@@ -6,6 +6,7 @@
 #include "pipeline/convert/convert.h"
 #include "pipeline/convert/memory_plan.h"
 #include "stages/read/atlas_reader.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
 
@@ -74,12 +75,7 @@ void runUntil(const ConvertOptions& options, std::size_t tiles) {
 }
 
 std::string faultOf(const ConvertOptions& options) {
-    try {
-        convert(options, {});
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return {};
+    return abrdf::faultOf([&] { convert(options, {}); });
 }
 
 }  // namespace

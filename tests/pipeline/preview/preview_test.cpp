@@ -4,6 +4,7 @@
 #include "color/delta_e.h"
 #include "pipeline/convert/convert.h"
 #include "stages/read/atlas_reader.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/synthetic_atlas.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -127,20 +128,6 @@ fs::path greyAtlas(const TemporaryFolder& folder, float grey) {
     return file;
 }
 
-template <typename Fault = std::runtime_error, typename Call>
-std::string complaint(const Call& call) {
-    try {
-        call();
-    } catch (const Fault& error) {
-        return error.what();
-    }
-    return {};
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::string outputOf(const std::string& command) {
     const TemporaryFolder folder;
     const fs::path out = folder.path() / "out";
@@ -226,7 +213,7 @@ TEST_CASE("a PQ still has 16 bits, says so in cICP, and holds the light it is me
     const auto report = preview(options, {});
     CHECK(report["output"]["bits"] == 16);
     const std::string bytes = bytesOf(options.output);
-    CHECK(has(bytes, std::string("cICP\x09\x10\0\1", 8)));
+    CHECK(contains(bytes, std::string("cICP\x09\x10\0\1", 8)));
     const Vector code = meanAround(readPicture(options.output), 60, 60, 5);
     // SMPTE ST 2084 of 4 times white, which is 100 nits.
     const double m = std::pow(code[1], 32.0 / 2523);
@@ -234,10 +221,10 @@ TEST_CASE("a PQ still has 16 bits, says so in cICP, and holds the light it is me
         10000 * std::pow((m - 107.0 / 128) / (2413.0 / 128 - 2392.0 / 128 * m), 16384.0 / 2610);
     CHECK(nits == doctest::Approx(400).epsilon(0.01));
     options.bits = 8;
-    CHECK(has(complaint<std::invalid_argument>([&] { preview(options, {}); }), "--bits 16"));
+    CHECK(contains(faultOf<std::invalid_argument>([&] { preview(options, {}); }), "--bits 16"));
     options.bits = 0;
     options.output = folder.path() / "hdr.jpg";
-    CHECK_FALSE(complaint<std::invalid_argument>([&] { preview(options, {}); }).empty());
+    CHECK_FALSE(faultOf<std::invalid_argument>([&] { preview(options, {}); }).empty());
 }
 
 TEST_CASE("an EXR picture keeps the light, says its space, and has depth and normals as data") {
@@ -280,13 +267,14 @@ TEST_CASE("oiiotool and exrheader see the space of atlases and pictures") {
     preview(options, {});
     const std::string picture = "'" + options.output.string() + "'";
     const std::string atlas = "'" + options.atlas.string() + "'";
-    CHECK(has(outputOf("oiiotool --info -v " + picture), "colorInteropID: \"lin_ap1_scene\""));
-    CHECK(has(outputOf("oiiotool --info -v " + picture), "chromaticities: 0.713"));
-    CHECK(has(outputOf("exrheader " + picture), "red   (0.713 0.293)"));
-    CHECK(has(outputOf("exrheader " + atlas), "red   (0.64 0.33)"));
+    CHECK(contains(outputOf("oiiotool --info -v " + picture), "colorInteropID: \"lin_ap1_scene\""));
+    CHECK(contains(outputOf("oiiotool --info -v " + picture), "chromaticities: 0.713"));
+    CHECK(contains(outputOf("exrheader " + picture), "red   (0.713 0.293)"));
+    CHECK(contains(outputOf("exrheader " + atlas), "red   (0.64 0.33)"));
+    CHECK(contains(outputOf("exrheader " + atlas),
+                   "colorInteropID (type string): \"lin_rec709_scene\""));
     CHECK(
-        has(outputOf("exrheader " + atlas), "colorInteropID (type string): \"lin_rec709_scene\""));
-    CHECK(has(outputOf("oiiotool --info -v " + atlas), "colorInteropID: \"lin_rec709_scene\""));
+        contains(outputOf("oiiotool --info -v " + atlas), "colorInteropID: \"lin_rec709_scene\""));
 }
 
 TEST_CASE("Delta E of a sheet is data: the space of the colours beside it does not change it") {
@@ -324,20 +312,21 @@ TEST_CASE("what cannot be is said before anything is written, with the way out")
     const auto with = [&](const auto& change) {
         PreviewOptions options = good;
         change(options);
-        return complaint<std::exception>([&] { preview(options, {}); });
+        return faultOf<std::exception>([&] { preview(options, {}); });
     };
-    CHECK(has(with([](auto& o) { o.output.replace_extension(".tga"); }), "use .exr, .png or .jpg"));
-    CHECK(has(with([](auto& o) { o.output.replace_extension(".exr"); }), "scene-linear"));
-    CHECK(has(with([](auto& o) { o.outputSpace = "ACEScg"; }), "--output-space is for .exr"));
-    CHECK(has(with([](auto& o) { o.display.view = "Filmc"; }), "no view"));
-    CHECK(has(with([](auto& o) { o.environment = "/no/such.hdr"; }), "/no/such.hdr"));
-    CHECK(has(with([](auto& o) { o.samples = 0; }), "samples"));
-    CHECK(has(with([](auto& o) { o.atlas = "nothing.exr"; }), "nothing.exr"));
-    CHECK(has(with([](auto& o) {
-                  o.kind = PreviewKind::kSheet;
-                  o.pairs = {"1,2,3"};
-              }),
-              "THETA_I"));
+    CHECK(contains(with([](auto& o) { o.output.replace_extension(".tga"); }),
+                   "use .exr, .png or .jpg"));
+    CHECK(contains(with([](auto& o) { o.output.replace_extension(".exr"); }), "scene-linear"));
+    CHECK(contains(with([](auto& o) { o.outputSpace = "ACEScg"; }), "--output-space is for .exr"));
+    CHECK(contains(with([](auto& o) { o.display.view = "Filmc"; }), "no view"));
+    CHECK(contains(with([](auto& o) { o.environment = "/no/such.hdr"; }), "/no/such.hdr"));
+    CHECK(contains(with([](auto& o) { o.samples = 0; }), "samples"));
+    CHECK(contains(with([](auto& o) { o.atlas = "nothing.exr"; }), "nothing.exr"));
+    CHECK(contains(with([](auto& o) {
+                       o.kind = PreviewKind::kSheet;
+                       o.pairs = {"1,2,3"};
+                   }),
+                   "THETA_I"));
     CHECK_FALSE(fs::exists(good.output));
 }
 

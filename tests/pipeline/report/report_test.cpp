@@ -2,6 +2,7 @@
 #include "pipeline/report/report.h"
 
 #include "pipeline/report/report_files.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/synthetic_atlas.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -39,20 +40,6 @@ PageOptions optionsFor(const fs::path& output) {
     return options;
 }
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-template <typename Call>
-std::string complaint(const Call& call) {
-    try {
-        call();
-    } catch (const std::exception& error) {
-        return error.what();
-    }
-    return {};
-}
-
 }  // namespace
 
 TEST_SUITE_BEGIN("unit");
@@ -72,9 +59,9 @@ TEST_CASE("five materials with their measurements make a page well below 5 MB, f
     const std::string html = bytesOf(folder.path() / "page.html");
     CHECK(report["output"]["bytes"] == html.size());
     CHECK(html.size() < 2'500'000);
-    CHECK(has(html, "published, plan all, 0 samples, mean ΔE "));
-    CHECK(has(html, "alone.zip"));
-    CHECK(has(html, "Un-tone-mapped") == false);
+    CHECK(contains(html, "published, plan all, 0 samples, mean ΔE "));
+    CHECK(contains(html, "alone.zip"));
+    CHECK(contains(html, "Un-tone-mapped") == false);
 }
 
 TEST_CASE("reports of each command come into their places, others are named and left out") {
@@ -120,18 +107,20 @@ TEST_CASE("a damaged report, a folder without anything and a display that is not
     const TemporaryFolder folder;
     const PageOptions options = optionsFor(folder.path() / "page.html");
     const auto ask = [&](const PageOptions& o) {
-        return complaint([&] { reportFolder(folder.path(), o, {}); });
+        return faultOf<std::exception>([&] { reportFolder(folder.path(), o, {}); });
     };
-    CHECK(has(ask(options), "neither an atlas"));
-    CHECK(has(complaint([&] { reportFolder(folder.path() / "no", options, {}); }), "is no folder"));
+    CHECK(contains(ask(options), "neither an atlas"));
+    CHECK(
+        contains(faultOf<std::exception>([&] { reportFolder(folder.path() / "no", options, {}); }),
+                 "is no folder"));
     writeText(folder.path() / "a.json", "{");
-    CHECK(has(ask(options), "a.json: is no JSON"));
+    CHECK(contains(ask(options), "a.json: is no JSON"));
     writeText(folder.path() / "a.json", R"({"command": "evaluate"})");
-    CHECK(has(ask(options), "a.json: is no whole report of abrdf evaluate"));
+    CHECK(contains(ask(options), "a.json: is no whole report of abrdf evaluate"));
     writeText(folder.path() / "a.json", R"({"command": "evaluate", "input": "x", "results": []})");
     PageOptions video = options;
     video.display.display = "Rec.1886 Rec.709 - Display";
-    CHECK(has(ask(video), "sRGB"));
+    CHECK(contains(ask(video), "sRGB"));
     CHECK_FALSE(fs::exists(options.output));
     CHECK(ask(options).empty());
     CHECK(fs::exists(options.output));

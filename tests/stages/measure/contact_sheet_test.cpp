@@ -4,6 +4,7 @@
 #include "color/delta_e.h"
 #include "color/heat_color.h"
 #include "stages/measure/measures.h"
+#include "tests/support/temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
@@ -20,19 +21,6 @@ namespace abrdf {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of this test alone, removed at its end.
-struct TemporaryFolder {
-    fs::path path = fs::temp_directory_path() / ("abrdf_sheet_" + std::to_string(getpid()));
-
-    TemporaryFolder() { fs::create_directories(path); }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 ContactSheet smallSheet(std::size_t lights, std::size_t views, std::size_t rows = 1) {
     ContactSheet sheet{"A title", lights, views, std::vector<Rgb>(lights * views), {}, 1};
@@ -106,7 +94,7 @@ TEST_SUITE("unit") {
         const TemporaryFolder folder;
         auto sheet = smallSheet(3, 7, 2);
         sheet.exposure = 0.8;
-        const Canvas canvas = written(folder.path / "sheet.png", sheet);
+        const Canvas canvas = written(folder.path() / "sheet.png", sheet);
         const Rectangle last = panelRectangle(sheet, 1, Panel::kDeltaE);
         CHECK(last.width == 7 * 47);
         CHECK(last.height == 3 * 47);
@@ -120,7 +108,7 @@ TEST_SUITE("unit") {
         for (const auto& [lights, views] :
              {std::pair<std::size_t, std::size_t>{1, 1}, {7, 3}, {1, 50}, {50, 1}, {400, 2}}) {
             const auto sheet = smallSheet(lights, views);
-            checkPanels(written(folder.path / "sheet.png", sheet), sheet);
+            checkPanels(written(folder.path() / "sheet.png", sheet), sheet);
         }
     }
 
@@ -134,16 +122,16 @@ TEST_SUITE("unit") {
     TEST_CASE("a long caption widens the sheet instead of being cut") {
         const TemporaryFolder folder;
         auto sheet = smallSheet(2, 2);
-        const int width = written(folder.path / "short.png", sheet).width();
+        const int width = written(folder.path() / "short.png", sheet).width();
         sheet.rows[0].caption = std::string(150, 'M');
-        CHECK(written(folder.path / "long.png", sheet).width() > width + 500);
+        CHECK(written(folder.path() / "long.png", sheet).width() > width + 500);
     }
 
     TEST_CASE("values that are not finite are grey") {
         const TemporaryFolder folder;
         auto sheet = smallSheet(2, 2);
         sheet.rows[0].reconstruction[3].g = std::numeric_limits<float>::quiet_NaN();
-        const Canvas canvas = written(folder.path / "sheet.png", sheet);
+        const Canvas canvas = written(folder.path() / "sheet.png", sheet);
         checkPair(canvas, sheet, 0, Panel::kReconstruction, 3, {128, 128, 128});
         checkPair(canvas, sheet, 0, Panel::kDeltaE, 3, {128, 128, 128});
     }
@@ -160,7 +148,7 @@ TEST_SUITE("unit") {
                 row.images.back().reconstruction[4] = row.reconstruction[2];
             }
         }
-        const Canvas canvas = written(folder.path / "sheet.png", sheet);
+        const Canvas canvas = written(folder.path() / "sheet.png", sheet);
         checkPanels(canvas, sheet);
         for (std::size_t row = 0; row < 2; ++row) {
             for (std::size_t image = 0; image < 2; ++image) {
@@ -176,18 +164,18 @@ TEST_SUITE("unit") {
         CHECK(imageRectangle(sheet, 0, 1, Panel::kDeltaE).bottom() <
               panelRectangle(sheet, 1, Panel::kDeltaE).y);
         sheet.rows[1].images.pop_back();
-        CHECK_THROWS_AS(writeContactSheet(folder.path / "b.png", sheet), std::invalid_argument);
+        CHECK_THROWS_AS(writeContactSheet(folder.path() / "b.png", sheet), std::invalid_argument);
     }
     TEST_CASE("the same sheet gives the same bytes") {
         const TemporaryFolder folder;
-        writeContactSheet(folder.path / "a.png", smallSheet(5, 4, 2));
-        writeContactSheet(folder.path / "b.png", smallSheet(5, 4, 2));
-        CHECK(bytesOf(folder.path / "a.png") == bytesOf(folder.path / "b.png"));
+        writeContactSheet(folder.path() / "a.png", smallSheet(5, 4, 2));
+        writeContactSheet(folder.path() / "b.png", smallSheet(5, 4, 2));
+        CHECK(bytesOf(folder.path() / "a.png") == bytesOf(folder.path() / "b.png"));
     }
 
     TEST_CASE("a folder that does not exist is an error that names the file") {
         const TemporaryFolder folder;
-        const fs::path path = folder.path / "missing" / "sheet.png";
+        const fs::path path = folder.path() / "missing" / "sheet.png";
         CHECK_THROWS_WITH_AS(writeContactSheet(path, smallSheet(2, 2)),
                              doctest::Contains(path.c_str()), std::runtime_error);
     }

@@ -2,6 +2,7 @@
 #include "stages/read/atlas_reader.h"
 
 #include "stages/write/atlas_writer.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
@@ -41,16 +42,6 @@ void writeAtlasFile(const fs::path& path, const AtlasHeader& header,
     AtlasWriter writer(path, header, {PixelType::kFloat, Compression::kZip, false, {}});
     writer.writeRows(0, header.layout.height(), pixels);
     writer.finish({});
-}
-
-template <typename Call>
-std::string faultOf(const Call& call) {
-    try {
-        call();
-        return {};
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
 }
 
 }  // namespace

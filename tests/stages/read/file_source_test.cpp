@@ -3,6 +3,7 @@
 
 #include "abrdf/for_each_texel.h"
 #include "stages/read/btf_reader.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/write_zip.h"
@@ -17,21 +18,6 @@ using namespace abrdf;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// What a call throws; empty where it passes.
-template <typename Call>
-std::string faultOf(const Call& call) {
-    try {
-        call();
-        return {};
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 void writeSomeFiles(const fs::path& folder) {
     fs::create_directories(folder / "b" / "deep");

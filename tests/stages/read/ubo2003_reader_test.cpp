@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/btf_reader.h"
 #include "stages/read/file_source.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,19 +30,12 @@ SyntheticBtf smallBtf(const std::string& extension) {
 
 /// What opening and reading all images says; empty where nothing is wrong.
 std::string faultOf(const fs::path& path) {
-    try {
+    return abrdf::faultOf([&] {
         const auto reader = openBtf(path);
         for (std::size_t pair = 0; pair < reader->description().present.size(); ++pair) {
             if (reader->description().present[pair] != 0) reader->read(pair);
         }
-        return {};
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
+    });
 }
 
 }  // namespace
