@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What holds for every method whatever it is given: bounds, units, orders, black, Lambert.
+#include "abrdf/pair_features.h"
 #include "stages/measure/measures.h"
 #include "stages/reconstruct/reconstructor.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/stress/stress_material.h"
 #include "stages/train/random_material.h"
+#include "stages/train/train_prior.h"
 #include "tests/support/small_prior.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -131,6 +134,43 @@ TEST_CASE("a Lambertian comes back from every method that knows of cosines") {
             // The published rule interpolates the cosine between two elevations as it does all
             // else.
             CHECK(error < (name == "published" ? 3 : 0.1));
+        }
+    }
+}
+
+TEST_CASE("a Lambertian comes back whatever the grid and the samples are") {
+    const auto lambert =
+        analyticStressMaterial("lambert", {lambertPart({0.5F, 0.02F, 0.2F})}).value;
+    const auto valuesAt = [&](const std::vector<LightAndView>& pairs) {
+        std::vector<Rgb> values;
+        for (const LightAndView& pair : pairs) values.push_back(lambert(pair));
+        return values;
+    };
+    Random random(5);
+    for (const char* gridName : {"ubo81", "dome151", "regular:5x8", "regular:4x13"}) {
+        const AngularGrid grid = gridFromName(gridName);
+        for (const std::size_t count : {std::size_t{8}, std::size_t{25}, std::size_t{150}}) {
+            std::vector<LightAndView> directions;
+            while (directions.size() < count) {
+                const LightAndView pair = grid.pair(random.below(grid.pairCount()));
+                // At the pole many azimuths are one direction.
+                if (pair.light.theta == 0 || pair.view.theta == 0) continue;
+                if (std::ranges::count(directions, pair) == 0) directions.push_back(pair);
+            }
+            ReconstructionTask task;
+            task.input = task.output = grid;
+            task.samples = exactSamples(directions);
+            task.prior = std::make_shared<const PriorModel>(
+                trainPrior(directions, distinctPairs(pairsOf(grid)).distinct, {30, 1}, {}));
+            for (const Method& method : methods()) {
+                if (method.wish != SampleWish::kMeasuredPairs) continue;
+                const std::string what = fmt::format("{} on {}, {}", method.name, gridName, count);
+                CAPTURE(what);
+                const Subject subject{&method, task};
+                const auto found = answer(subject, valuesAt(directions));
+                const auto accuracy = measureAccuracy(valuesAt(pairsOf(grid)), found, {}, {});
+                CHECK(accuracy.natural.deltaE < 0.1);
+            }
         }
     }
 }
