@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/average/average_image.h"
 
-#include "abrdf/random.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <variant>
+#include <vector>
 
 namespace abrdf {
 
@@ -32,10 +32,6 @@ double share(int pixel, int pixels, int texel, int texels) {
 
 int texelOfPixel(int pixel, int pixels, int texels) {
     return static_cast<int>(static_cast<std::int64_t>(pixel) * texels / pixels);
-}
-
-bool isLight(const Rgb& c) {
-    return isFinite(c) && !isNegative(c);
 }
 
 /// isFinite() of all. Channel by channel and without a branch: compilers make vectors of that, and
@@ -171,47 +167,6 @@ void checkTexels(int imageWidth, int imageHeight, int width, int height) {
                     imageWidth, imageHeight));
 }
 
-double channel(const Rgb& c, std::size_t index) {
-    return static_cast<double>(index == 0 ? c.r : index == 1 ? c.g : c.b);
-}
-
-/// What `transform` would be if it were a curve a channel and then a matrix: column c is what full
-/// channel c alone becomes, its curve the share of that which each code has.
-CodeTable curvesAndMatrixOf(const ColorTransform& transform) {
-    CodeTable table;
-    table.matrix.emplace();
-    for (std::size_t c = 0; c < 3; ++c) {
-        std::vector<Rgb> ramp(256);
-        for (std::size_t code = 0; code < ramp.size(); ++code) {
-            const float value = static_cast<float>(code) / 255.0F;
-            ramp[code] = {c == 0 ? value : 0, c == 1 ? value : 0, c == 2 ? value : 0};
-        }
-        transform.apply(ramp);
-        double square = 0;
-        for (std::size_t out = 0; out < 3; ++out) {
-            (*table.matrix)[out][c] = channel(ramp[255], out);
-            square += channel(ramp[255], out) * channel(ramp[255], out);
-        }
-        for (std::size_t code = 0; code < ramp.size(); ++code) {
-            double dot = 0;
-            for (std::size_t out = 0; out < 3; ++out) {
-                dot += channel(ramp[code], out) * channel(ramp[255], out);
-            }
-            table.curves[c][code] = dot / square;
-        }
-    }
-    return table;
-}
-
-std::array<double, 3> product(const std::array<std::array<double, 3>, 3>& matrix,
-                              const std::array<double, 3>& v) {
-    std::array<double, 3> result{};
-    for (std::size_t out = 0; out < 3; ++out) {
-        result[out] = matrix[out][0] * v[0] + matrix[out][1] * v[1] + matrix[out][2] * v[2];
-    }
-    return result;
-}
-
 /// An average outside the working space is moved to its border.
 Rgb light(const std::array<double, 3>& mean) {
     const auto atLeast0 = [](double v) { return static_cast<float>(std::max(0.0, v)); };
@@ -228,76 +183,12 @@ void meansOf(std::span<const Sum> sums, const CodeTable* table, std::span<Rgb> t
             continue;
         }
         std::array<double, 3> mean = {s.r / s.weight, s.g / s.weight, s.b / s.weight};
-        if (table != nullptr && table->matrix) mean = product(*table->matrix, mean);
+        if (table != nullptr) mean = table->light(mean);
         texels[i] = light(mean);
     }
 }
 
-/// True where the table says what the transform does, to a float's rounding.
-bool explains(const CodeTable& table, const ColorTransform& transform) {
-    Random random(1);
-    for (int i = 0; i < 1024; ++i) {
-        const std::array<std::size_t, 3> codes = {random.below(256), random.below(256),
-                                                  random.below(256)};
-        std::array<double, 3> light{};
-        for (std::size_t c = 0; c < 3; ++c) {
-            light[c] = table.curves[c][codes[c]];
-            if (!(light[c] >= 0)) return false;
-        }
-        const std::array<double, 3> found = product(*table.matrix, light);
-        Rgb wanted = {static_cast<float>(codes[0]) / 255.0F, static_cast<float>(codes[1]) / 255.0F,
-                      static_cast<float>(codes[2]) / 255.0F};
-        transform.apply({&wanted, 1});
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double off = std::abs(found[c] - channel(wanted, c));
-            if (!(off <= 2e-6 * (1 + std::abs(channel(wanted, c))))) return false;
-        }
-    }
-    return true;
-}
-
 }  // namespace
-
-Linearizer::Linearizer(ColorTransform toSceneLinear) : transform_(std::move(toSceneLinear)) {
-    if (transform_.isPerChannel()) {
-        std::vector<Rgb> colors;
-        for (int code = 0; code < 256; ++code) {
-            const float grey = static_cast<float>(code) / 255.0F;
-            colors.push_back({grey, grey, grey});
-        }
-        transform_.apply(colors);
-        if (!std::ranges::all_of(colors, isLight)) return;
-        table_ = std::make_shared<CodeTable>();
-        for (std::size_t code = 0; code < colors.size(); ++code) {
-            for (std::size_t c = 0; c < 3; ++c) table_->curves[c][code] = channel(colors[code], c);
-        }
-        return;
-    }
-    const CodeTable found = curvesAndMatrixOf(transform_);
-    if (explains(found, transform_)) table_ = std::make_shared<CodeTable>(found);
-}
-
-void Linearizer::linearize(const EncodedImage& image, std::size_t first, std::span<Rgb> row) const {
-    if (const auto* floats = std::get_if<std::vector<float>>(&image.rgb)) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const float* p = floats->data() + 3 * (first + i);
-            // A negative or unreal light stays one: a conversion could hide it.
-            const Rgb c = {p[0], p[1], p[2]};
-            constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-            row[i] = isLight(c) ? c : Rgb{kNaN, kNaN, kNaN};
-        }
-        if (!transform_.isIdentity()) transform_.apply(row);
-        return;
-    }
-    const std::uint8_t* codes = std::get<std::vector<std::uint8_t>>(image.rgb).data() + 3 * first;
-    constexpr float kScale = 1.0F / 255.0F;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        row[i] = {static_cast<float>(codes[3 * i]) * kScale,
-                  static_cast<float>(codes[3 * i + 1]) * kScale,
-                  static_cast<float>(codes[3 * i + 2]) * kScale};
-    }
-    transform_.apply(row);
-}
 
 std::size_t averageImage(const EncodedImage& image, const Linearizer& linearizer, int width,
                          int height, std::span<Rgb> texels) {

@@ -3,6 +3,7 @@
 
 #include "abrdf/angular_grid.h"
 #include "abrdf/material_class.h"
+#include "stages/train/watched_pairs.h"
 
 #include <Eigen/Core>
 
@@ -13,21 +14,6 @@
 #include <vector>
 
 namespace abrdf {
-
-/// Pairs whose uncertainty is watched.
-struct WatchedPairs {
-    std::vector<Eigen::Index> pairs;        ///< Of the grid; those after its own, of `others`.
-    Eigen::VectorXd share;                  ///< How many pairs each of them stands for.
-    std::vector<LightAndView> others = {};  ///< Off the grid.
-};
-
-/// All mirrors of the grid, and a random choice of the others.
-WatchedPairs watchedPairs(const AngularGrid& grid, std::uint64_t seed);
-
-/// Those that a scene shows, or where they are many a choice by their weights. weights: of each
-/// pair, their sum is 1.
-WatchedPairs watchedPairs(const AngularGrid& grid, const std::vector<LightAndView>& scene,
-                          std::span<const double> weights);
 
 struct ConditionOptions {
     std::size_t materials = 1000;  ///< Random materials of the class, >= 2.
@@ -72,6 +58,9 @@ class ConditionedClass {
     double varianceLeft() const;
 
   private:
+    std::vector<LightAndView> candidatesAt(Eigen::Index first, Eigen::Index count) const;
+    /// Factor on scores: the share of the class over the root of its variance.
+    double balance() const;
     using Columns = std::function<void(Eigen::Index first, Eigen::Index count)>;
     void forEachColumns(const Columns& body) const;
 

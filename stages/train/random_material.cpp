@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The distributions of the random materials. U(a, b) is uniform, LU(a, b) has a uniform logarithm.
+// The distributions of the random materials; of their facets in random_facet.cpp.
 #include "stages/train/random_material.h"
+
+#include "stages/train/random_facet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,110 +12,8 @@ namespace abrdf {
 
 namespace {
 
-constexpr double kLeastRoughness = 0.006;
-constexpr double kMostRoughness = 0.95;
-
-enum class FacetKind { kLobe, kTwoLobes, kVelvet, kFibre, kDiffuse };
-
 float asFloat(double value) {
     return static_cast<float>(value);
-}
-
-float roughness(double value) {
-    return asFloat(std::clamp(value, kLeastRoughness, kMostRoughness));
-}
-
-Lobe randomLobe(Random& random) {
-    Lobe lobe;
-    const double alpha = random.logUniform(kLeastRoughness, 0.8);
-    const double ratio = random.chance(0.5) ? std::exp(random.uniform(-1.6, 1.6)) : 1;
-    lobe.strength = asFloat(random.uniform(0.1, 1));
-    lobe.fresnel.normal = asFloat(random.logUniform(0.02, 0.95));
-    lobe.fresnel.grazing = random.chance(0.6) ? 1 : asFloat(random.uniform());
-    lobe.fresnel.power = random.chance(0.6) ? 5 : asFloat(random.uniform(1.5, 6));
-    lobe.roughnessX = roughness(alpha * std::sqrt(ratio));
-    lobe.roughnessY = roughness(alpha / std::sqrt(ratio));
-    lobe.azimuth = random.chance(0.4) ? random.uniform(0, kPi) : 0;
-    const double shape = random.uniform();
-    lobe.shape = shape < 0.7    ? LobeShape::kGgx
-                 : shape < 0.85 ? LobeShape::kBeckmann
-                                : LobeShape::kLongTail;
-    lobe.tail = asFloat(random.uniform(1.3, 2.5));
-    return lobe;
-}
-
-Diffuse randomDiffuse(Random& random) {
-    Diffuse diffuse;
-    if (random.chance(0.85)) {
-        diffuse.albedo =
-            asFloat(random.chance(0.5) ? random.uniform(0, 0.7) : random.logUniform(0.005, 0.7));
-    }
-    if (!random.chance(0.5)) return diffuse;
-    const double which = random.uniform();
-    if (which < 0.4) {
-        diffuse.orenNayarSigma = asFloat(random.uniform(0.1, 1.2));
-    } else if (which < 0.8) {
-        diffuse.minnaertExponent = asFloat(random.uniform(-0.4, 0.5));
-    } else {
-        diffuse.lommelSeeligerShare = asFloat(random.uniform(0.2, 1));
-    }
-    return diffuse;
-}
-
-Fibre randomFibre(Random& random) {
-    Fibre fibre;
-    fibre.strength = asFloat(random.logUniform(0.02, 1.5));
-    fibre.azimuth = random.uniform(0, kPi);
-    fibre.width = asFloat(random.logUniform(0.05, 0.5));
-    fibre.shift = random.chance(0.5) ? asFloat(random.uniform(-0.3, 0.3)) : 0;
-    fibre.azimuthShare = asFloat(random.uniform());
-    fibre.grazingShare = asFloat(random.uniform());
-    return fibre;
-}
-
-FacetKind randomKind(Random& random) {
-    const double which = random.uniform();
-    if (which < 0.50) return FacetKind::kLobe;
-    if (which < 0.70) return FacetKind::kTwoLobes;
-    if (which < 0.80) return FacetKind::kVelvet;
-    if (which < 0.95) return FacetKind::kFibre;
-    return FacetKind::kDiffuse;
-}
-
-bool reflects(const Facet& facet) {
-    return facet.diffuse.albedo > 0 || facet.lobes[0].strength > 0 || facet.velvet.strength > 0 ||
-           facet.fibre.strength > 0;
-}
-
-Facet randomFacet(FacetKind kind, Random& random) {
-    Facet facet;
-    facet.diffuse = randomDiffuse(random);
-    switch (kind) {
-        case FacetKind::kTwoLobes:
-            facet.lobes[1] = randomLobe(random);
-            [[fallthrough]];
-        case FacetKind::kLobe:
-            facet.lobes[0] = randomLobe(random);
-            break;
-        case FacetKind::kVelvet:
-            facet.velvet.strength = asFloat(random.uniform(0.02, 0.4));
-            facet.velvet.sigma = asFloat(random.uniform(0.15, 0.8));
-            if (random.chance(0.3)) facet.lobes[0] = randomLobe(random);
-            break;
-        case FacetKind::kFibre:
-            facet.fibre = randomFibre(random);
-            if (random.chance(0.3)) facet.lobes[0] = randomLobe(random);
-            break;
-        case FacetKind::kDiffuse:
-            facet.diffuse.albedo = std::max(facet.diffuse.albedo, 0.05F);
-            break;
-    }
-    if (random.chance(0.12)) {
-        facet.retro.strength = asFloat(random.uniform(0.02, 0.6));
-        facet.retro.width = asFloat(random.logUniform(0.02, 0.6));
-    }
-    if (!reflects(facet)) facet.diffuse.albedo = 0.2F;
-    return facet;
 }
 
 /// Shares of a whole, each order of them as likely: Dirichlet with this concentration, 1 or 2.
@@ -125,16 +25,6 @@ std::vector<float> randomShares(std::size_t count, int concentration, Random& ra
         shares.push_back(asFloat(gamma));
     }
     return shares;
-}
-
-Facet isotropic(Facet facet) {
-    facet.fibre = {};
-    for (Lobe& lobe : facet.lobes) {
-        lobe.roughnessX = lobe.roughnessY = std::sqrt(lobe.roughnessX * lobe.roughnessY);
-        lobe.azimuth = 0;
-    }
-    if (!reflects(facet)) facet.diffuse.albedo = 0.3F;
-    return facet;
 }
 
 Coat randomCoat(Random& random) {
@@ -149,12 +39,12 @@ Coat randomCoat(Random& random) {
 std::vector<Facet> tiltedFacets(float groove, Random& random) {
     const std::size_t count = 2 + random.below(5);
     const bool same = random.chance(0.5);
-    const Facet first = randomFacet(randomKind(random), random);
+    const Facet first = randomFacet(randomFacetKind(random), random);
     const std::vector<float> shares = randomShares(count, 1, random);
     const double mostTilt = random.uniform(0.05, 1.1);
     std::vector<Facet> facets;
     for (std::size_t k = 0; k < count; ++k) {
-        Facet facet = same ? first : randomFacet(randomKind(random), random);
+        Facet facet = same ? first : randomFacet(randomFacetKind(random), random);
         facet.tilt = random.uniform(0, mostTilt);
         facet.azimuth = random.uniform(0, 2 * kPi);
         facet.weight = shares[k];
@@ -192,7 +82,7 @@ void addThread(Radians azimuth, float groove, Random& random, std::vector<Facet>
 }
 
 std::vector<Facet> ribbedFacets(float groove, Random& random) {
-    Facet rib = randomFacet(randomKind(random), random);
+    Facet rib = randomFacet(randomFacetKind(random), random);
     const std::size_t count = 2 + random.below(4);
     const std::vector<float> shares = randomShares(count, 2, random);
     const double tilt = random.uniform(0.1, 1.1);
@@ -241,7 +131,7 @@ AnalyticMaterial randomMaterial(MaterialClass materialClass, Random& random) {
     switch (materialClass) {
         case MaterialClass::kIso:
         case MaterialClass::kAniso: {
-            const Facet facet = randomFacet(randomKind(random), random);
+            const Facet facet = randomFacet(randomFacetKind(random), random);
             material.facets = {isIsotropic ? isotropic(facet) : facet};
             if (random.chance(isIsotropic ? 0.5 : 0.35)) material.coat = randomCoat(random);
             break;

@@ -11,7 +11,8 @@
 namespace abrdf {
 
 /// A random grey material of a class: the distributions of all its parameters are in
-/// random_material.cpp (design: estimator.md, section 3). The same numbers on every machine.
+/// random_material.cpp and random_facet.cpp (design: estimator.md, section 3). The same numbers on
+/// every machine.
 AnalyticMaterial randomMaterial(MaterialClass materialClass, Random& random);
 
 /// Materials 0 .. count-1 of a class and a seed; the first of a longer list are those of a shorter.

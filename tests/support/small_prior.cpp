@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/support/small_prior.h"
 
+#include "abrdf/pair_features.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/train/train_prior.h"
 
@@ -20,6 +21,10 @@ std::vector<Rgb> SmallPrior::abrdfOf(
     std::vector<Rgb> values;
     for (const LightAndView& pair : pairsOf(grid)) values.push_back(material(pair));
     return values;
+}
+
+std::vector<std::size_t> SmallPrior::rowOf() const {
+    return distinctPairs(pairsOf(grid)).rowOf;
 }
 
 const SmallPrior& smallPrior() {

@@ -6,6 +6,7 @@
 #include "abrdf/sample_set.h"
 #include "color/rgb.h"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -22,6 +23,8 @@ struct SmallPrior {
     std::vector<Rgb> samplesOf(const std::function<Rgb(const LightAndView&)>& material) const;
     /// Its whole ABRDF.
     std::vector<Rgb> abrdfOf(const std::function<Rgb(const LightAndView&)>& material) const;
+    /// Of each pair of the grid, which are all distinct, its place among the model's outputs.
+    std::vector<std::size_t> rowOf() const;
 };
 
 /// The same one for all tests of a program.

@@ -54,21 +54,6 @@ TEST_CASE("where one pair is watched, off the grid, the nearest ones are chosen 
     CHECK(choice.variance.back() < other.variance.back());
 }
 
-TEST_CASE("a scene of many pairs is watched at some of them, by weight") {
-    std::vector<LightAndView> scene(3000, {{0.3, 0}, {0.4, 0}});
-    std::vector<double> weights(3000, 0.5 / 2999);
-    scene[17] = {{0.5, 0}, {0.6, 0}};
-    weights[17] = 0.5;
-    const WatchedPairs watched = watchedPairs(smallGrid(), scene, weights);
-    CHECK(watched.others.size() < 2000);
-    CHECK(watched.share.sum() == doctest::Approx(1));
-    double own = 0;
-    for (std::size_t i = 0; i < watched.others.size(); ++i) {
-        if (watched.others[i] == scene[17]) own += watched.share(static_cast<Eigen::Index>(i));
-    }
-    CHECK(own == doctest::Approx(0.5).epsilon(0.01));
-}
-
 TEST_CASE("a plan goes on from pairs that are given, and keeps to its candidates") {
     const std::vector<std::size_t> candidates = {3, 40, 41, 90, 91, 120, 200};
     const GreedyChoice choice =

@@ -3,7 +3,6 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/goniometer.h"
-#include "stages/train/conditioned_class.h"
 
 #include <doctest/doctest.h>
 
@@ -36,24 +35,6 @@ GreedySlices chosen(std::size_t count) {
 }  // namespace
 
 TEST_SUITE_BEGIN("unit");
-
-TEST_CASE("a block of samples explains what they explain one after the other") {
-    const std::vector<LightAndView> samples =
-        samplesOf({SliceKind::kDiagonal, 0.5, 0.9, 1, 5, 0, 1.5});
-    ConditionedClass materials(MaterialClass::kWoven, smallGrid(), watchedPairs(smallGrid(), 1),
-                               samples, {.materials = 30});
-    const double block = materials.scoreOf(0, materials.ownCovariance(0, 5));
-    double sum = 0;
-    for (Eigen::Index k = 0; k < 5; ++k) {
-        Eigen::VectorXd score = Eigen::VectorXd::Zero(5);
-        materials.addScores(score);
-        sum += score(k);
-        const double before = materials.varianceLeft();
-        materials.choose(k);
-        CHECK(materials.varianceLeft() < before);
-    }
-    CHECK(block == doctest::Approx(sum).epsilon(1e-3));
-}
 
 TEST_CASE("whole slices within the count, each once; a shorter plan is the beginning of a longer") {
     const GreedySlices longer = chosen(40);
