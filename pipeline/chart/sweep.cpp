@@ -3,6 +3,7 @@
 
 #include "abrdf/pair_features.h"
 #include "abrdf/stopwatch.h"
+#include "pipeline/input_samples.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/slice/slice_texels.h"
 

@@ -11,6 +11,7 @@
 #include "pipeline/convert/write_model.h"
 #include "pipeline/convert/write_unshifted.h"
 #include "pipeline/json_text.h"
+#include "pipeline/process_memory.h"
 #include "stages/read/atlas_reader.h"
 
 #include <fmt/format.h>

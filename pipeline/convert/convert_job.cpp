@@ -7,6 +7,7 @@
 #include "abrdf/stopwatch.h"
 #include "color/known_space.h"
 #include "pipeline/plan/plan_advice.h"
+#include "pipeline/process_memory.h"
 
 #include <fmt/format.h>
 

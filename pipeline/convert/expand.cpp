@@ -9,6 +9,7 @@
 #include "color/known_space.h"
 #include "pipeline/convert/write_atlas.h"
 #include "pipeline/job.h"
+#include "pipeline/process_memory.h"
 #include "stages/read/model_reader.h"
 
 #include <fmt/format.h>

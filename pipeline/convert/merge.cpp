@@ -8,6 +8,7 @@
 #include "pipeline/convert/tile_journal.h"
 #include "pipeline/convert/write_atlas.h"
 #include "pipeline/job.h"
+#include "pipeline/process_memory.h"
 #include "stages/read/atlas_tiles.h"
 
 #include <fmt/format.h>
