@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/file_descriptor.h"
+
 #include <filesystem>
 
 namespace abrdf {
@@ -12,14 +14,11 @@ class LockFile {
     /// Throws std::runtime_error where the file cannot be had; isHeld() tells whether another
     /// process has it.
     explicit LockFile(const std::filesystem::path& path);
-    ~LockFile();
-    LockFile(const LockFile&) = delete;
-    LockFile& operator=(const LockFile&) = delete;
 
-    bool isHeld() const { return file_ >= 0; }
+    bool isHeld() const { return file_.isOpen(); }
 
   private:
-    int file_ = -1;
+    FileDescriptor file_;
 };
 
 }  // namespace abrdf

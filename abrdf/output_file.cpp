@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abrdf/output_file.h"
 
+#include "abrdf/file_descriptor.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace abrdf {
 
@@ -25,33 +28,36 @@ std::string linkOf(int file) {
     return fmt::format("/proc/self/fd/{}", file);
 }
 
-/// A file without a name in `folder`; below 0 where the file system has none, or where it could
-/// not be given one.
-int openNameless(const fs::path& folder) {
-    const int file = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
-    if (file < 0 || access(linkOf(file).c_str(), F_OK) == 0) return file;
-    close(file);
-    return -1;
+/// A file without a name in `folder`; none where the file system has none, or where it could not
+/// be given one.
+FileDescriptor openNameless(const fs::path& folder) {
+    FileDescriptor file(open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
+    if (file.isOpen() && access(linkOf(file.number()).c_str(), F_OK) != 0) return {};
+    return file;
+}
+
+/// The same file as a stream; null where there is no memory for one.
+std::FILE* streamOf(FileDescriptor file, const char* mode) {
+    std::FILE* stream = fdopen(file.number(), mode);
+    if (stream != nullptr) file.release();
+    return stream;
 }
 
 }  // namespace
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), temporary_(temporaryBeside(path_)) {
-    const int file = openNameless(folderOf(path_));
-    isNameless_ = file >= 0;
-    file_ = isNameless_ ? fdopen(file, "wb") : std::fopen(temporary_.c_str(), "wbe");
+    FileDescriptor file = openNameless(folderOf(path_));
+    isNameless_ = file.isOpen();
+    file_ = isNameless_ ? streamOf(std::move(file), "wb") : std::fopen(temporary_.c_str(), "wbe");
     if (file_ == nullptr) fail("cannot be created");
 }
 
 OutputFile::OutputFile(fs::path path, Partial partial)
     : path_(std::move(path)), temporary_(partialBeside(path_)), isPartial_(true) {
-    const int file = open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0) fail("cannot be created");
-    if (ftruncate(file, static_cast<off_t>(partial.keep)) != 0) {
-        close(file);
-        fail("cannot be written");
-    }
-    file_ = fdopen(file, "r+b");
+    FileDescriptor file(open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!file.isOpen()) fail("cannot be created");
+    if (ftruncate(file.number(), static_cast<off_t>(partial.keep)) != 0) fail("cannot be written");
+    file_ = streamOf(std::move(file), "r+b");
     if (file_ == nullptr) fail("cannot be created");
 }
 

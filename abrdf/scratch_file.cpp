@@ -28,13 +28,9 @@ ScratchFile::ScratchFile(const fs::path& folder, std::uint64_t bytes) : folder_(
             static_cast<double>(bytes) / 1e9));
     }
     std::string name = (folder / ".abrdf-scratch-XXXXXX").string();
-    file_ = mkostemp(name.data(), O_CLOEXEC);
-    if (file_ < 0) fail("no scratch file can be made there");
+    file_ = FileDescriptor(mkostemp(name.data(), O_CLOEXEC));
+    if (!file_.isOpen()) fail("no scratch file can be made there");
     unlink(name.c_str());
-}
-
-ScratchFile::~ScratchFile() {
-    close(file_);
 }
 
 void ScratchFile::fail(const char* what) const {
@@ -45,7 +41,7 @@ void ScratchFile::fail(const char* what) const {
 void ScratchFile::write(std::uint64_t position, std::span<const char> bytes) {
     while (!bytes.empty()) {
         const ssize_t count =
-            pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(position));
+            pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(position));
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) fail("the scratch file there cannot be written");
         position += static_cast<std::uint64_t>(count);
@@ -56,7 +52,7 @@ void ScratchFile::write(std::uint64_t position, std::span<const char> bytes) {
 void ScratchFile::read(std::uint64_t position, std::span<char> bytes) const {
     while (!bytes.empty()) {
         const ssize_t count =
-            pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(position));
+            pread(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(position));
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) fail("the scratch file there cannot be read");
         position += static_cast<std::uint64_t>(count);

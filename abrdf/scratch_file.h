@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/file_descriptor.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -14,9 +16,6 @@ class ScratchFile {
   public:
     /// bytes: its size to come; throws at once where the folder's disk has not that much left.
     ScratchFile(const std::filesystem::path& folder, std::uint64_t bytes);
-    ~ScratchFile();
-    ScratchFile(const ScratchFile&) = delete;
-    ScratchFile& operator=(const ScratchFile&) = delete;
 
     // From any thread.
     void write(std::uint64_t position, std::span<const char> bytes);
@@ -26,7 +25,7 @@ class ScratchFile {
     [[noreturn]] void fail(const char* what) const;
 
     std::filesystem::path folder_;
-    int file_ = -1;
+    FileDescriptor file_;
 };
 
 /// $TMPDIR where that is set, else the folder of `output`.

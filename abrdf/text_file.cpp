@@ -2,6 +2,7 @@
 #include "abrdf/text_file.h"
 
 #include "abrdf/cancel.h"
+#include "abrdf/file_descriptor.h"
 #include "abrdf/printable.h"
 
 #include <fcntl.h>
@@ -18,34 +19,17 @@ namespace abrdf {
 
 namespace {
 
-class Descriptor {
-  public:
-    /// Not blocking, so that a pipe without a writer can be given up.
-    explicit Descriptor(const std::filesystem::path& file)
-        : number_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        if (number_ >= 0) return;
-        throw std::runtime_error(
-            fmt::format("{}: cannot be opened: {}", file.string(), std::strerror(errno)));
+/// As read(2), once there is something, or an end.
+ssize_t readSome(const FileDescriptor& file, char* bytes, std::size_t count) {
+    constexpr int kPatience = 100;  // Milliseconds between looks for an interrupt.
+    while (true) {
+        throwIfCancelled();
+        pollfd waited{file.number(), POLLIN, 0};
+        if (poll(&waited, 1, kPatience) <= 0) continue;
+        const ssize_t got = read(file.number(), bytes, count);
+        if (got >= 0 || (errno != EINTR && errno != EAGAIN)) return got;
     }
-    ~Descriptor() { close(number_); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    /// As read(2), once there is something, or an end.
-    ssize_t read(char* bytes, std::size_t count) const {
-        constexpr int kPatience = 100;  // Milliseconds between looks for an interrupt.
-        while (true) {
-            throwIfCancelled();
-            pollfd waited{number_, POLLIN, 0};
-            if (poll(&waited, 1, kPatience) <= 0) continue;
-            const ssize_t got = ::read(number_, bytes, count);
-            if (got >= 0 || (errno != EINTR && errno != EAGAIN)) return got;
-        }
-    }
-
-  private:
-    int number_;
-};
+}
 
 }  // namespace
 
@@ -56,12 +40,17 @@ std::string textOfFile(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file, ignored)) {
         throw std::runtime_error(fmt::format("{}: is a folder, not a file", file.string()));
     }
-    const Descriptor descriptor(file);
+    // Not blocking, so that a pipe without a writer can be given up.
+    const FileDescriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!opened.isOpen()) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot be opened: {}", file.string(), std::strerror(errno)));
+    }
     std::string text;
     while (true) {
         const std::size_t before = text.size();
         text.resize(before + kStep);
-        const ssize_t got = descriptor.read(text.data() + before, kStep);
+        const ssize_t got = readSome(opened, text.data() + before, kStep);
         if (got < 0) {
             throw std::runtime_error(
                 fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/progress_display.h"
 
+#include "abrdf/stopwatch.h"
 #include "pipeline/json_text.h"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -18,24 +18,17 @@ namespace abrdf {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsBetween(Clock::time_point a, Clock::time_point b) {
-    return std::chrono::duration<double>(b - a).count();
-}
-
 class Display {
   public:
     explicit Display(ProgressStyle style) : style_(style) {}
 
     void show(const ProgressTick& tick) {
         const std::lock_guard lock(mutex_);
-        const auto now = Clock::now();
         if (phase_ != tick.phase) {
             phase_ = tick.phase;
-            begin_ = now;
+            begin_ = {};
             first_ = tick.done;
-            shown_ = now;
+            shown_ = {};
             most_ = 0;
         }
         // Ticks come from many threads; the bar never runs backwards.
@@ -47,10 +40,9 @@ class Display {
         const bool last = tick.done == tick.total;
         if (style_ == ProgressStyle::kBar && last) {
             std::fputs("\r\033[K", stderr);
-        } else if (secondsBetween(shown_, now) >= interval ||
-                   (style_ == ProgressStyle::kJson && last)) {
-            shown_ = now;
-            print(tick, secondsBetween(begin_, now));
+        } else if (shown_.seconds() >= interval || (style_ == ProgressStyle::kJson && last)) {
+            shown_ = {};
+            print(tick, begin_.seconds());
         }
     }
 
@@ -85,8 +77,8 @@ class Display {
     ProgressStyle style_;
     std::mutex mutex_;
     std::string phase_;
-    Clock::time_point begin_;
-    Clock::time_point shown_;
+    Stopwatch begin_;
+    Stopwatch shown_;
     std::size_t first_ = 0;  ///< Done at begin_.
     std::size_t most_ = 0;
 };

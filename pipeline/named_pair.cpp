@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -35,6 +36,16 @@ LightAndView pairFrom(const std::string& text) {
                          wrappedAzimuth(radiansFromDegrees(degrees[i + 1]))};
     };
     return {direction(0), direction(2)};
+}
+
+std::string pairName(const LightAndView& pair) {
+    const auto key = [](Radians angle) {
+        const double degrees = std::round(degreesFromRadians(angle) * 1e4) / 1e4;
+        return degrees == std::round(degrees) ? fmt::format("{:03.0f}", degrees)
+                                              : fmt::format("{}", degrees);
+    };
+    return fmt::format("tl{} pl{} tv{} pv{}", key(pair.light.theta), key(pair.light.phi),
+                       key(pair.view.theta), key(pair.view.phi));
 }
 
 }  // namespace abrdf

@@ -2,6 +2,7 @@
 #include "pipeline/reconstruction.h"
 
 #include "abrdf/pair_features.h"
+#include "pipeline/input_samples.h"
 #include "pipeline/train/error_scale.h"
 #include "stages/slice/slice_texels.h"
 

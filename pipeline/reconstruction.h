@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pipeline/job.h"
 #include "pipeline/plan/plan_choice.h"
 #include "pipeline/plan/scene_plan.h"
+#include "pipeline/read_images.h"
 #include "pipeline/train/prior_cache.h"
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace abrdf {
 

@@ -2,13 +2,13 @@
 #include "pipeline/batch/batch.h"
 
 #include "abrdf/cancel.h"
+#include "abrdf/stopwatch.h"
 #include "pipeline/batch/child_process.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <list>
 #include <map>
 #include <sstream>
@@ -21,15 +21,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::uint64_t kMega = std::uint64_t{1} << 20;
 constexpr std::uint64_t kLeastMemory = 512 * kMega;  ///< Of one of several at once.
 constexpr useconds_t kPollMicroseconds = 3000;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// What the program said, without its name before each sentence.
 std::vector<std::string> sentencesOf(const std::string& err) {
@@ -79,7 +73,7 @@ class Batch {
     Batch& operator=(const Batch&) = delete;
 
     ordered_json run() {
-        const auto start = Clock::now();
+        const Stopwatch time;
         while (next_ < own_.size() || !running_.empty()) {
             throwIfCancelled();
             while (running_.size() < atOnce_ && next_ < own_.size() && !stopped_) begin();
@@ -87,14 +81,14 @@ class Batch {
             if (!endSome()) usleep(kPollMicroseconds);
         }
         for (; next_ < own_.size(); ++next_) resultOf(own_[next_], "skipped");
-        return summary(secondsSince(start));
+        return summary(time.seconds());
     }
 
   private:
     struct Running {
         std::size_t item;
         int slot;  ///< Its share of the threads.
-        Clock::time_point start;
+        Stopwatch time;
         ChildProcess process;
     };
 
@@ -118,7 +112,7 @@ class Batch {
         words.insert(words.end(), {fmt::format("--threads={}", options_.threads / slots + extra),
                                    fmt::format("--memory={}K", options_.memory / atOnce_ / 1024),
                                    "--progress=none", "--json"});
-        running_.push_back({own_[next_], slot, Clock::now(), ChildProcess(words)});
+        running_.push_back({own_[next_], slot, Stopwatch(), ChildProcess(words)});
         ++next_;
     }
 
@@ -151,11 +145,11 @@ class Batch {
             const ordered_json report = ordered_json::parse(ended.out, nullptr, false);
             const bool kept = !report.is_object() || report.contains("finished_before");
             ordered_json& result = resultOf(running.item, kept ? "kept" : "done");
-            result["seconds"] = secondsSince(running.start);
+            result["seconds"] = running.time.seconds();
             if (report.is_object()) result["report"] = report;
         } else {
             ordered_json& result = resultOf(running.item, "failed");
-            result["seconds"] = secondsSince(running.start);
+            result["seconds"] = running.time.seconds();
             result["exit_status"] = ended.status;
             result["error"] =
                 said.empty() ? fmt::format("ended with status {}", ended.status) : said.back();

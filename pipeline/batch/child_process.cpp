@@ -20,19 +20,20 @@ namespace abrdf {
 namespace {
 
 /// Memory that the child writes as its standard output or errors: it never blocks as a pipe does.
-int memoryFile(const char* name) {
-    const int file = memfd_create(name, MFD_CLOEXEC);
-    if (file < 0) throw std::runtime_error(fmt::format("no memory for a child's output: {}", name));
+FileDescriptor memoryFile(const char* name) {
+    FileDescriptor file(memfd_create(name, MFD_CLOEXEC));
+    if (!file.isOpen())
+        throw std::runtime_error(fmt::format("no memory for a child's output: {}", name));
     return file;
 }
 
-std::string contentsOf(int file) {
-    const off_t size = lseek(file, 0, SEEK_END);
+std::string contentsOf(const FileDescriptor& file) {
+    const off_t size = lseek(file.number(), 0, SEEK_END);
     std::string text(static_cast<std::size_t>(std::max<off_t>(0, size)), '\0');
     std::size_t done = 0;
     while (done < text.size()) {
         const ssize_t count =
-            pread(file, text.data() + done, text.size() - done, static_cast<off_t>(done));
+            pread(file.number(), text.data() + done, text.size() - done, static_cast<off_t>(done));
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) break;
         done += static_cast<std::size_t>(count);
@@ -51,29 +52,24 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words)
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, out_, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, err_, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, out_.number(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, err_.number(), STDERR_FILENO);
     const int error =
         posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (error == 0) return;
-    close(out_);
-    close(err_);
     throw std::runtime_error(fmt::format("{}: cannot be run: {}", words[0], std::strerror(error)));
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
-      out_(std::exchange(other.out_, -1)),
-      err_(std::exchange(other.err_, -1)) {}
+      out_(std::move(other.out_)),
+      err_(std::move(other.err_)) {}
 
 ChildProcess::~ChildProcess() {
-    if (process_ > 0) {
-        askToEnd();
-        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
-    }
-    if (out_ >= 0) close(out_);
-    if (err_ >= 0) close(err_);
+    if (process_ <= 0) return;
+    askToEnd();
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
 void ChildProcess::askToEnd() const {

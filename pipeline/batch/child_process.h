@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/file_descriptor.h"
+
 #include <sys/types.h>
 
 #include <optional>
@@ -36,8 +38,8 @@ class ChildProcess {
 
   private:
     pid_t process_ = -1;
-    int out_ = -1;
-    int err_ = -1;
+    FileDescriptor out_;
+    FileDescriptor err_;
 };
 
 }  // namespace abrdf

@@ -2,9 +2,9 @@
 #include "pipeline/chart/method_time.h"
 
 #include "abrdf/for_each_texel.h"
+#include "abrdf/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 namespace abrdf {
@@ -21,7 +21,6 @@ double medianOf(std::vector<double> values) {
 
 MethodTime timeMethod(const Reconstructor& reconstructor, std::span<const Rgb> samples,
                       std::size_t pairs, double seconds) {
-    using Clock = std::chrono::steady_clock;
     const std::size_t block = reconstructor.texelsAtOnce();
     // A few blocks a thread: what a core does alone must fit many times into a turn of all.
     const std::size_t blocks = 2 * static_cast<std::size_t>(availableThreads());
@@ -35,22 +34,19 @@ MethodTime timeMethod(const Reconstructor& reconstructor, std::span<const Rgb> s
                                   std::span(outputs).subspan(b * block * pairs, block * pairs));
     };
     const auto microsecondsOf = [](const auto& work, std::size_t texels) {
-        const auto start = Clock::now();
+        const Stopwatch time;
         work();
-        return std::chrono::duration<double, std::micro>(Clock::now() - start).count() /
-               static_cast<double>(texels);
+        return 1e6 * time.seconds() / static_cast<double>(texels);
     };
     const auto onOne = [&] { reconstructBlock(0); };
     const auto onAll = [&] { forEachImage(blocks, reconstructBlock); };
     onAll();  // Warm.
     std::vector<double> one;
     std::vector<double> all;
-    const auto start = Clock::now();
+    const Stopwatch time;
     constexpr std::size_t kLeast = 3;
     constexpr std::size_t kMost = 500;
-    while (one.size() < kLeast ||
-           (one.size() < kMost &&
-            std::chrono::duration<double>(Clock::now() - start).count() < seconds)) {
+    while (one.size() < kLeast || (one.size() < kMost && time.seconds() < seconds)) {
         one.push_back(microsecondsOf(onOne, block));
         all.push_back(microsecondsOf(onAll, blocks * block));
     }

@@ -2,12 +2,13 @@
 #include "pipeline/chart/sweep.h"
 
 #include "abrdf/pair_features.h"
+#include "abrdf/stopwatch.h"
+#include "pipeline/input_samples.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/slice/slice_texels.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <stdexcept>
 
 namespace abrdf {
@@ -94,10 +95,9 @@ Trial tryMethod(const MethodSize& size, const Subject& subject, const TrialOptio
     trial.plan = plan.name;
     trial.samples = task.samples.count();
     trial.images = task.samples.pairs.size();
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch time;
     const auto reconstructor = method.make(task);
-    trial.setUpMilliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    trial.setUpMilliseconds = 1e3 * time.seconds();
     const AbrdfTile abrdf = reconstructTexels(sliced.samples, subject.grid, *reconstructor).abrdfs;
     trial.accuracy = measureAccuracy(valuesOf(subject.truth), abrdf[0], {}, {options.exposure});
     trial.time =

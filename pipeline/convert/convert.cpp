@@ -2,6 +2,7 @@
 #include "pipeline/convert/convert.h"
 
 #include "abrdf/output_file.h"
+#include "abrdf/stopwatch.h"
 #include "pipeline/convert/convert_job.h"
 #include "pipeline/convert/estimate_report.h"
 #include "pipeline/convert/settle_tolerance.h"
@@ -10,13 +11,13 @@
 #include "pipeline/convert/write_model.h"
 #include "pipeline/convert/write_unshifted.h"
 #include "pipeline/json_text.h"
+#include "pipeline/process_memory.h"
 #include "stages/read/atlas_reader.h"
 
 #include <fmt/format.h>
 #include <malloc.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <stdexcept>
 
@@ -26,12 +27,6 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The samples of all texels, in memory or in a scratch file.
 std::unique_ptr<TransposedTable> tableFor(const ConvertJob& job, const MemoryPlan& memory,
@@ -132,10 +127,10 @@ Written writeAtlas(const ConvertJob& job, const ConvertOptions& options, const M
             written.writeSeconds += added.seconds;
         };
         if (writeTiles(run, writer, told, progress)) {
-            const auto finishing = Clock::now();
+            const Stopwatch finishing;
             written.bytes = writer.finish(written.counts);
             written.estimates = writer.estimates();
-            written.writeSeconds += secondsSince(finishing);
+            written.writeSeconds += finishing.seconds();
             unfinished.finish();
             return written;
         }
@@ -176,7 +171,7 @@ bool isFinished(const ConvertOptions& options, const ordered_json& asked, int sh
 
 /// The report of a job that was finished before.
 ordered_json finishedReport(const ConvertJob& job, const ConvertOptions& options,
-                            Clock::time_point start) {
+                            const Stopwatch& time) {
     const AtlasHeader header = readAtlasHeader(options.output);
     ordered_json report = reportOf(job, options);
     report["counts"] = {{"clamped", header.counts.clamped},
@@ -185,7 +180,7 @@ ordered_json finishedReport(const ConvertJob& job, const ConvertOptions& options
                         {"missing", job.samples().filled}};
     addEstimate(readEstimates(options.output), report);
     report["time"] = {
-        {"read", 0.0}, {"reconstruct", 0.0}, {"write", 0.0}, {"total", secondsSince(start)}};
+        {"read", 0.0}, {"reconstruct", 0.0}, {"write", 0.0}, {"total", time.seconds()}};
     report["peak_memory"] = peakMemory();
     report["finished_before"] = true;
     report["output"] = {{"path", options.output.string()},
@@ -286,10 +281,10 @@ ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options,
 }  // namespace
 
 ordered_json convert(const ConvertOptions& options, const ProgressSink& progress) {
-    const auto start = Clock::now();
+    const Stopwatch time;
     ConvertJob job = prepareConvert(options, progress);
     const ordered_json asked = askedOf(job, options);
-    if (isFinished(options, asked, job.header.shard)) return finishedReport(job, options, start);
+    if (isFinished(options, asked, job.header.shard)) return finishedReport(job, options, time);
     const MemoryPlan memory = planMemory(job.memory, options.memory);
     if (job.isUnshifted) checkUnshiftedMemory(job, options);
     std::unique_ptr<TransposedTable> table;
@@ -302,7 +297,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
     const ReadFacts facts =
         countedIn(job, table ? readTexels(job, memory, *table, progress) : aligned.facts);
     malloc_trim(0);
-    const double readSeconds = secondsSince(start);
+    const double readSeconds = time.seconds();
 
     const std::vector<std::size_t>& images = job.samples().pairs;
     MethodChoice method = job.method;
@@ -340,7 +335,7 @@ ordered_json convert(const ConvertOptions& options, const ProgressSink& progress
         written.bytes = made.bytes;
     }
     ordered_json report =
-        reportOf(job, options, memory, written, remark, {readSeconds, secondsSince(start)});
+        reportOf(job, options, memory, written, remark, {readSeconds, time.seconds()});
     if (!model.is_null()) report["model"] = model;
     return report;
 }

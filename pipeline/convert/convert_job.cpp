@@ -4,13 +4,14 @@
 #include "abrdf/content_hash.h"
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "abrdf/stopwatch.h"
 #include "color/known_space.h"
 #include "pipeline/plan/plan_advice.h"
+#include "pipeline/process_memory.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
-#include <chrono>
 #include <stdexcept>
 
 namespace abrdf {
@@ -202,11 +203,10 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     job.chosen =
         settleMethod(job.method, options.limits, job.grazing.inner().pairCount(), job.input.warn);
     const std::optional<SceneChoice> scene = sceneOf(job, options);
-    const auto planning = std::chrono::steady_clock::now();
+    const Stopwatch planning;
     job.planned =
         planMethod(job.method, job.input, job.grazing.inner(), progress, scene ? &*scene : nullptr);
-    job.planSeconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - planning).count();
+    job.planSeconds = planning.seconds();
     job.found = planeOf(job.planned, options.plane, job.input, job.texels, progress);
     job.isUnshifted = options.plane.unshift && job.found.plane.height != 0;
     checkUnshift(job, options);

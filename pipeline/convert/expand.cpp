@@ -4,16 +4,17 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "abrdf/scratch_file.h"
+#include "abrdf/stopwatch.h"
 #include "color/color_config.h"
 #include "color/known_space.h"
 #include "pipeline/convert/write_atlas.h"
 #include "pipeline/job.h"
+#include "pipeline/process_memory.h"
 #include "stages/read/model_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 namespace abrdf {
@@ -170,7 +171,7 @@ std::optional<Expanded> expandAs(PixelType type, const ModelAtlas& model, const 
 }  // namespace
 
 ordered_json expand(const ExpandOptions& options, const ProgressSink& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch time;
     checkOutputPath(options.output);
     if (fs::exists(options.output) && fs::exists(options.input) &&
         fs::equivalent(options.output, options.input)) {
@@ -194,7 +195,6 @@ ordered_json expand(const ExpandOptions& options, const ProgressSink& progress) 
         options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
     auto made = expandAs(first, model, expander, header, options, progress);
     if (!made) made = expandAs(PixelType::kFloat, model, expander, header, options, progress);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return {{"command", "expand"},
             {"version", ABRDF_VERSION},
             {"input", options.input.filename().string()},
@@ -204,7 +204,7 @@ ordered_json expand(const ExpandOptions& options, const ProgressSink& progress) 
              {{"clamped", made->counts.clamped},
               {"extrapolated", made->counts.extrapolated},
               {"nonfinite", made->counts.nonfinite}}},
-            {"time", {{"total", seconds.count()}}},
+            {"time", {{"total", time.seconds()}}},
             {"peak_memory", peakMemory()},
             {"output",
              {{"path", options.output.string()},

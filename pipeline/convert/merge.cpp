@@ -3,10 +3,12 @@
 
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
+#include "abrdf/stopwatch.h"
 #include "pipeline/convert/estimate_report.h"
 #include "pipeline/convert/tile_journal.h"
 #include "pipeline/convert/write_atlas.h"
 #include "pipeline/job.h"
+#include "pipeline/process_memory.h"
 #include "stages/read/atlas_tiles.h"
 
 #include <fmt/format.h>
@@ -14,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -246,12 +247,9 @@ std::uint64_t copyWhole(const fs::path& from, const fs::path& to) {
     return bytes;
 }
 
-using Clock = std::chrono::steady_clock;
-
 ordered_json reportOf(const MergeOptions& options, const AtlasHeader& header, PixelType type,
                       const std::vector<float>& estimates, std::uint64_t bytes,
-                      Clock::time_point start) {
-    const std::chrono::duration<double> seconds = Clock::now() - start;
+                      const Stopwatch& time) {
     ordered_json report = {{"command", "merge"},
                            {"version", ABRDF_VERSION},
                            {"shards", options.shards.size()},
@@ -261,7 +259,7 @@ ordered_json reportOf(const MergeOptions& options, const AtlasHeader& header, Pi
                              {"extrapolated", header.counts.extrapolated},
                              {"nonfinite", header.counts.nonfinite}}}};
     addEstimate(estimates, report);
-    report["time"] = {{"total", seconds.count()}};
+    report["time"] = {{"total", time.seconds()}};
     report["peak_memory"] = peakMemory();
     report["output"] = {
         {"path", options.output.string()}, {"bytes", bytes}, {"pixel", nameOf(type)}};
@@ -271,13 +269,13 @@ ordered_json reportOf(const MergeOptions& options, const AtlasHeader& header, Pi
 }  // namespace
 
 ordered_json merge(const MergeOptions& options, const ProgressSink& progress) {
-    const auto start = Clock::now();
+    const Stopwatch time;
     checkOutputPath(options.output);
     if (options.shards.size() == 1) {
         const AtlasTiles atlas(options.shards[0]);
         if (atlas.header().shard == 0) {
             const std::uint64_t bytes = copyWhole(options.shards[0], options.output);
-            return reportOf(options, atlas.header(), atlas.type(), atlas.estimates(), bytes, start);
+            return reportOf(options, atlas.header(), atlas.type(), atlas.estimates(), bytes, time);
         }
     }
     const std::vector<AtlasTiles> shards = openShards(options.shards);
@@ -299,7 +297,7 @@ ordered_json merge(const MergeOptions& options, const ProgressSink& progress) {
         turnTiles(shards, options, writer, header.layout, progress);
     }
     const std::uint64_t bytes = writer.finish(header.counts);
-    return reportOf(options, header, shards[0].type(), estimates, bytes, start);
+    return reportOf(options, header, shards[0].type(), estimates, bytes, time);
 }
 
 }  // namespace abrdf

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/convert/plane.h"
 
+#include "abrdf/stopwatch.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -70,7 +71,7 @@ std::optional<Edges> edgesFromName(const std::string& name) {
 
 FoundPlane planeOf(const PlannedMethod& planned, const PlaneChoice& choice,
                    const OpenedInput& input, Texels texels, const ProgressSink& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch time;
     FoundPlane found;
     const bool isOne = texels.width == 1 && texels.height == 1;
     if (input.reader->table() != nullptr || isOne) return found;
@@ -80,7 +81,7 @@ FoundPlane planeOf(const PlannedMethod& planned, const PlaneChoice& choice,
     if (choice.search || (choice.height != 0 && !choice.edges)) {
         search(found, choice, input, planned.samples, progress);
     }
-    found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    found.seconds = time.seconds();
     return found;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pipeline/job.h"
+#include "pipeline/read_images.h"
 #include "stages/align/unshift_rows.h"
 #include "stages/reconstruct/reconstructor.h"
 

@@ -3,11 +3,11 @@
 
 #include "abrdf/content_hash.h"
 #include "abrdf/flow.h"
+#include "abrdf/stopwatch.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 
 namespace abrdf {
 
@@ -73,10 +73,9 @@ std::size_t packedBytes(const AtlasWriter& writer, std::size_t tile, PixelType t
 
 /// Seconds that it took.
 double append(AtlasWriter& writer, std::size_t tiles, std::span<const char> chunks) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const Stopwatch time;
     writer.append(tiles, chunks);
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return time.seconds();
 }
 
 /// Texel by texel into tiles.

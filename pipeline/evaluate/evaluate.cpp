@@ -9,6 +9,8 @@
 #include "pipeline/convert/unshifted_texels.h"
 #include "pipeline/evaluate/evaluate_report.h"
 #include "pipeline/evaluate/evaluate_sheet.h"
+#include "pipeline/input_samples.h"
+#include "pipeline/named_pair.h"
 #include "stages/measure/contact_sheet.h"
 #include "stages/measure/measures.h"
 #include "stages/slice/choose_samples.h"

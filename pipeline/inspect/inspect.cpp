@@ -5,6 +5,7 @@
 #include "pipeline/convert/estimate_report.h"
 #include "pipeline/inspect/stack_facts.h"
 #include "pipeline/job.h"
+#include "pipeline/named_pair.h"
 #include "stages/read/atlas_reader.h"
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 #include "abrdf/goniometer.h"
 #include "abrdf/output_file.h"
 #include "abrdf/scene_pairs.h"
+#include "abrdf/stopwatch.h"
 #include "pipeline/plan/expected_error.h"
 #include "pipeline/plan/plan_file.h"
 #include "stages/read/btf_reader.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -214,7 +214,7 @@ ordered_json plan(const PlanJob& job, const ProgressSink& progress) {
         throw std::invalid_argument("--travel is a number of samples, 0 or more");
     }
     checkOutputPath(job.output);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch time;
     const Choosable from = choosable(job);
     const Planned planned =
         job.continuous ? slicesFor(job, from, progress) : pairsOf(job, from, progress);
@@ -238,8 +238,7 @@ ordered_json plan(const PlanJob& job, const ProgressSink& progress) {
     }
     report["output"] = {{"path", job.output.string()},
                         {"bytes", std::filesystem::file_size(job.output)}};
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    report["time"] = seconds.count();
+    report["time"] = time.seconds();
     return report;
 }
 

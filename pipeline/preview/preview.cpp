@@ -2,6 +2,7 @@
 #include "pipeline/preview/preview.h"
 
 #include "abrdf/output_file.h"
+#include "abrdf/stopwatch.h"
 #include "pipeline/preview/picture_output.h"
 #include "pipeline/preview/preview_figures.h"
 #include "pipeline/preview/preview_scene.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -20,12 +20,6 @@ namespace abrdf {
 using nlohmann::ordered_json;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 constexpr std::array kKinds{
     std::pair{PreviewKind::kSphere, "sphere"}, std::pair{PreviewKind::kPlane, "plane"},
@@ -81,7 +75,7 @@ Picture enlarged(const Picture& small, int width, int height) {
 
 void renderAndWrite(const PreviewOptions& options, const ColorConfig& colors, ordered_json& report,
                     const ProgressSink& progress) {
-    const auto start = Clock::now();
+    const Stopwatch time;
     ordered_json& conversions = report["color"]["conversions"];
     const Atlas atlas = atlasInSpace(options.atlas, colors, "scene_linear", conversions);
     PreparedScene prepared = prepareScene(options, colors, conversions);
@@ -91,23 +85,23 @@ void renderAndWrite(const PreviewOptions& options, const ColorConfig& colors, or
     report["lights"] = prepared.scene.lights.size();
     report["samples"] = prepared.scene.sky.size();
     report["tiles"] = prepared.scene.tiles;
-    const double readSeconds = secondsSince(start);
+    const double readSeconds = time.seconds();
 
     if (options.draft) {
         const Picture small = render(material, prepared.scene, std::max(1, options.width / 4),
                                      std::max(1, options.height / 4), {});
         ordered_json draft = report;
         writePicture(enlarged(small, options.width, options.height), options, colors, draft);
-        report["time"]["draft"] = secondsSince(start);
+        report["time"]["draft"] = time.seconds();
     }
-    const auto before = Clock::now();
+    const Stopwatch rendering;
     const Picture picture =
         render(material, prepared.scene, options.width, options.height, progress);
-    const double renderSeconds = secondsSince(before);
+    const double renderSeconds = rendering.seconds();
     writePicture(picture, options, colors, report);
     report["time"]["read"] = readSeconds;
     report["time"]["render"] = renderSeconds;
-    report["time"]["total"] = secondsSince(start);
+    report["time"]["total"] = time.seconds();
 }
 
 }  // namespace
@@ -139,9 +133,9 @@ ordered_json preview(const PreviewOptions& options, const ProgressSink& progress
                        {"working_space", colors.spaceName("scene_linear")},
                        {"conversions", ordered_json::array()}};
     if (options.kind == PreviewKind::kSheet || options.kind == PreviewKind::kPolar) {
-        const auto start = Clock::now();
+        const Stopwatch time;
         drawFigure(options, colors, report);
-        report["time"]["total"] = secondsSince(start);
+        report["time"]["total"] = time.seconds();
     } else {
         renderAndWrite(options, colors, report, progress);
     }

@@ -2,6 +2,7 @@
 #include "pipeline/report/page_job.h"
 
 #include "abrdf/output_file.h"
+#include "abrdf/stopwatch.h"
 #include "color/delta_e.h"
 #include "pipeline/preview/picture_output.h"
 #include "pipeline/preview/shown_atlas.h"
@@ -15,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -223,7 +223,7 @@ class PageMaker {
 }  // namespace
 
 ordered_json writePage(const PageOptions& options, const ProgressSink& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch time;
     checkOutputPath(options.output);
     if (!(options.exposure > 0)) throw std::invalid_argument("the exposure must be above 0");
     const ColorConfig colors = ColorConfig::load(options.colorConfig);
@@ -241,8 +241,7 @@ ordered_json writePage(const PageOptions& options, const ProgressSink& progress)
                        {"conversions", maker.conversions()},
                        {"display", maker.shown().display},
                        {"view", maker.shown().view}};
-    report["time"] = {
-        {"total", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
+    report["time"] = {{"total", time.seconds()}};
     report["output"] = {{"path", options.output.string()}, {"bytes", html.size()}};
     return report;
 }

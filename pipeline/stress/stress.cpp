@@ -4,6 +4,7 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "abrdf/pair_features.h"
+#include "pipeline/input_samples.h"
 #include "pipeline/json_text.h"
 #include "pipeline/stress/stress_trial.h"
 #include "stages/measure/conditioning_figure.h"

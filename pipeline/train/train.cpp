@@ -3,11 +3,11 @@
 
 #include "abrdf/output_file.h"
 #include "abrdf/pair_features.h"
+#include "abrdf/stopwatch.h"
 #include "pipeline/train/prior_cache.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/train/model_file.h"
 
-#include <chrono>
 #include <stdexcept>
 
 namespace abrdf {
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 nlohmann::ordered_json train(const TrainJob& job, const ProgressSink& progress,
                              const MessageSink& warn) {
     if (!job.output.empty()) checkOutputPath(job.output);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch time;
     const AngularGrid measured = gridFromName(job.grid);
     const AngularGrid output = job.outputGrid.empty() ? measured : gridFromName(job.outputGrid);
     const Method& method = methodFromName("prior");
@@ -37,13 +37,12 @@ nlohmann::ordered_json train(const TrainJob& job, const ProgressSink& progress,
     } else {
         writeModel(file, trainedModel(samples.directions, outputs, job.options, progress));
     }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return {{"command", "train"},
             {"version", ABRDF_VERSION},
             {"plan", {{"name", plan.name}, {"samples", samples.count()}}},
             {"grid", {{"lights", output.lights().size()}, {"views", output.views().size()}}},
             {"output", {{"path", file.string()}, {"bytes", fs::file_size(file)}}},
-            {"time", seconds.count()}};
+            {"time", time.seconds()}};
 }
 
 }  // namespace abrdf

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages/read/mapped_file.h"
 
+#include "abrdf/file_descriptor.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -64,23 +66,21 @@ class MappedFiles {
 };
 
 MappedFile::MappedFile(const std::filesystem::path& path) : path_(path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat state {};
-    bool works = descriptor >= 0 && fstat(descriptor, &state) == 0;
+    bool works = file.isOpen() && fstat(file.number(), &state) == 0;
     if (works && state.st_size > 0) {
         size_ = static_cast<std::size_t>(state.st_size);
-        void* place = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, descriptor, 0);
+        void* place = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.number(), 0);
         works = place != MAP_FAILED;
         if (works) data_ = static_cast<const char*>(place);
     }
-    const int reason = errno;
-    if (descriptor >= 0) ::close(descriptor);
     if (works) {
         MappedFiles::add(this);
         return;
     }
     throw std::runtime_error(
-        fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(reason)));
+        fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
 }
 
 void MappedFile::checkWhole() const {

@@ -100,24 +100,18 @@ extern "C" zip_int64_t onZipCommand(void* user, void* bytes, zip_uint64_t count,
 }  // namespace
 
 SharedFile::SharedFile(const std::filesystem::path& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     struct stat state {};
-    if (descriptor_ < 0 || fstat(descriptor_, &state) != 0) {
-        const int error = errno;
-        if (descriptor_ >= 0) ::close(descriptor_);
+    if (!file_.isOpen() || fstat(file_.number(), &state) != 0) {
         throw std::runtime_error(
-            fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(error)));
+            fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
     }
     size_ = static_cast<std::uint64_t>(state.st_size);
 }
 
-SharedFile::~SharedFile() {
-    ::close(descriptor_);
-}
-
 std::int64_t SharedFile::read(std::uint64_t offset, void* bytes, std::uint64_t count) const {
     while (true) {
-        const ssize_t got = ::pread(descriptor_, bytes, count, static_cast<off_t>(offset));
+        const ssize_t got = pread(file_.number(), bytes, count, static_cast<off_t>(offset));
         if (got >= 0 || errno != EINTR) return got;
     }
 }

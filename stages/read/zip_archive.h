@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/file_descriptor.h"
+
 #include <zip.h>
 
 #include <cstdint>
@@ -14,9 +16,6 @@ class SharedFile {
   public:
     /// Throws std::runtime_error that names the file.
     explicit SharedFile(const std::filesystem::path& path);
-    ~SharedFile();
-    SharedFile(const SharedFile&) = delete;
-    SharedFile& operator=(const SharedFile&) = delete;
 
     std::uint64_t size() const { return size_; }
 
@@ -24,7 +23,7 @@ class SharedFile {
     std::int64_t read(std::uint64_t offset, void* bytes, std::uint64_t count) const;
 
   private:
-    int descriptor_ = -1;
+    FileDescriptor file_;
     std::uint64_t size_ = 0;
 };
 

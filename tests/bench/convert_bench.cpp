@@ -7,6 +7,7 @@
 #include "color/delta_e.h"
 #include "pipeline/convert/convert.h"
 #include "tests/bench/decode_limit.h"
+#include "tests/bench/duel.h"
 #include "tests/support/temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>
@@ -17,7 +18,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <iostream>
 #include <random>
@@ -111,12 +111,6 @@ struct ProgramRun {
     double seconds = 0;
     double peakMegabytes = 0;
 };
-
-double secondsOf(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 ProgramRun runProgram(const fs::path& database, const fs::path& atlas) {
     // build/release/tests/convert_bench and build/release/abrdf

@@ -11,7 +11,7 @@
 #include "stages/reconstruct/prior_choice.h"
 #include "stages/reconstruct/prior_material.h"
 #include "stages/train/random_material.h"
-#include "tests/bench/stopwatch.h"
+#include "tests/bench/duel.h"
 
 #include <Eigen/Core>
 #include <dlfcn.h>

@@ -6,6 +6,7 @@
 // ones alone.
 #include "abrdf/demo_cloth.h"
 #include "abrdf/for_each_texel.h"
+#include "abrdf/stopwatch.h"
 #include "pipeline/demo/demo_database.h"
 #include "stages/read/btf_reader.h"
 #include "stages/read/decode_image.h"
@@ -18,7 +19,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -36,10 +36,9 @@ constexpr int kRounds = 7;
 double secondsOf(const std::function<void()>& work) {
     std::vector<double> seconds;
     for (int round = 0; round < kRounds; ++round) {
-        const auto start = std::chrono::steady_clock::now();
+        const abrdf::Stopwatch time;
         work();
-        seconds.push_back(
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        seconds.push_back(time.seconds());
     }
     std::ranges::sort(seconds);
     return seconds[seconds.size() / 2];

@@ -5,6 +5,7 @@
 // `resample_bench DATA`: the folder of real files (../shared/data). Mean CIE 1976 Delta E.
 #include "abrdf/pair_interpolation.h"
 #include "abrdf/random.h"
+#include "abrdf/stopwatch.h"
 #include "color/delta_e.h"
 #include "stages/read/btf_reader.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -187,7 +187,7 @@ std::vector<Material> materialsIn(const fs::path& data) {
 void compare(const std::vector<Material>& materials, const char* name, const Estimate& estimate) {
     std::cout << fmt::format("{:<28}", name);
     double sum = 0;
-    const auto start = std::chrono::steady_clock::now();
+    const abrdf::Stopwatch time;
     std::size_t count = 0;
     for (const Material& m : materials) {
         double error = 0;
@@ -201,8 +201,7 @@ void compare(const std::vector<Material>& materials, const char* name, const Est
         std::cout << fmt::format(" {:6.2f}", error);
         sum += error;
     }
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = time.seconds();
     std::cout << fmt::format("   mean {:5.2f}   {:6.2f} us\n",
                              sum / static_cast<double>(materials.size()),
                              1e6 * seconds / static_cast<double>(count))

@@ -9,7 +9,7 @@
 #include "pipeline/batch/child_process.h"
 #include "stages/read/atlas_tiles.h"
 #include "tests/bench/decode_limit.h"
-#include "tests/bench/stopwatch.h"
+#include "tests/bench/duel.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

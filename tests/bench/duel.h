@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abrdf/stopwatch.h"
+
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <vector>
 
 /// Seconds of one call.
 template <typename Work>
 double secondsOf(Work work) {
-    const auto start = std::chrono::steady_clock::now();
+    const abrdf::Stopwatch time;
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return time.seconds();
 }
 
 inline double medianOf(std::vector<double> values) {
