@@ -27,6 +27,9 @@ ScratchFile::ScratchFile(const fs::path& folder, std::uint64_t bytes) : folder_(
             folder.string(), static_cast<double>(space.available) / 1e9,
             static_cast<double>(bytes) / 1e9));
     }
+    // Without a name, so that nothing stays whenever the process ends.
+    file_ = FileDescriptor(open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
+    if (file_.isOpen()) return;
     std::string name = (folder / ".abrdf-scratch-XXXXXX").string();
     file_ = FileDescriptor(mkostemp(name.data(), O_CLOEXEC));
     if (!file_.isOpen()) fail("no scratch file can be made there");
