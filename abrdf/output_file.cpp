@@ -138,11 +138,17 @@ void checkOutputPath(const fs::path& path) {
         throw std::runtime_error(fmt::format("'{}' is no file name for an output", path.string()));
     }
     const fs::path folder = folderOf(path);
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (error && status.type() == fs::file_type::none) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot be an output: {}", path.string(), error.message()));
+    }
     if (!fs::is_directory(folder)) {
         throw std::runtime_error(fmt::format("{}: the folder {} does not exist; make it first",
                                              path.string(), folder.string()));
     }
-    if (fs::exists(path) && !fs::is_regular_file(path)) {
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw std::runtime_error(fmt::format(
             "{}: is a folder or a device, not a file that can be replaced", path.string()));
     }

@@ -8,6 +8,11 @@
 
 namespace abrdf {
 
+/// Finite and nowhere negative.
+inline bool isLight(Rgb c) {
+    return isFinite(c) && c.r >= 0 && c.g >= 0 && c.b >= 0;
+}
+
 /// How many values a reconstruction made that no light has.
 struct UnrealCounts {
     std::uint64_t clamped = 0;    ///< Negative ones, set to 0.

@@ -51,12 +51,9 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
 }
 
 void addGrazingOption(CLI::App& command, Grazing& grazing) {
-    const std::map<std::string, Grazing> policies = {
-        {"hold", Grazing::kHold}, {"fade", Grazing::kFade}, {"extrapolate", Grazing::kExtrapolate}};
-    command
-        .add_option("--grazing", grazing,
-                    "past the measured elevations: hold (the default) | fade | extrapolate")
-        ->transform(CLI::CheckedTransformer(policies));
+    command.add_option_function<std::string>(
+        "--grazing", [&grazing](const std::string& name) { grazing = grazingFromName(name); },
+        "past the measured elevations: hold (the default) | fade | extrapolate");
 }
 
 void addInputOptions(CLI::App& command, InputOptions& options) {

@@ -18,6 +18,14 @@ namespace abrdf {
 
 namespace {
 
+/// What was lost and decided, a line each.
+std::string notesOf(const nlohmann::ordered_json& report) {
+    std::string text;
+    if (!report.contains("notes")) return text;
+    for (const auto& note : report["notes"]) text += note.get<std::string>() + "\n";
+    return text;
+}
+
 std::string summaryOf(const std::filesystem::path& file, const nlohmann::ordered_json& report) {
     const auto& extrapolated = report["extrapolated"];
     std::string text = fmt::format(
@@ -33,10 +41,7 @@ std::string summaryOf(const std::filesystem::path& file, const nlohmann::ordered
             report["lost"]["rms_of_brdf"].get<double>(),
             100 * report["lost"]["share_of_energy"].get<double>());
     }
-    if (report.contains("notes")) {
-        for (const auto& note : report["notes"]) text += note.get<std::string>() + "\n";
-    }
-    return text;
+    return text + notesOf(report);
 }
 
 int runScene(const ExportJob& job, SceneJob scene, const std::string& light,
@@ -56,8 +61,9 @@ int runScene(const ExportJob& job, SceneJob scene, const std::string& light,
         }
     }
     const auto report = exportScene(scene, progress);
-    std::string text = fmt::format("{}: render it there with: {}\n", job.output.string(),
-                                   report["run"].get<std::string>());
+    std::string text = notesOf(report);
+    text += fmt::format("{}: render it there with: {}\n", job.output.string(),
+                        report["run"].get<std::string>());
     if (report.contains("preview")) {
         text += fmt::format("the same light: {}\n", report["preview"].get<std::string>());
     }

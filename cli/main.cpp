@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/config_file.h"
 #include "cli/progress_display.h"
+#include "cli/report_path.h"
 #include "cli/suggestion.h"
 
 #include <OpenImageIO/imageio.h>
@@ -84,12 +85,13 @@ std::string commandNames(const CLI::App& app) {
     return names;
 }
 
-int runChosen(const abrdf::RunCommand& run, SharedOptions& shared) {
+int runChosen(const abrdf::RunCommand& run, SharedOptions& shared,
+              const std::vector<std::string>& words) {
     logToStderr(shared);
     shared.threads = chosenThreads(shared);
     const auto style =
         shared.quiet ? abrdf::ProgressStyle::kNone : abrdf::progressStyleFromName(shared.progress);
-    if (!shared.report.empty()) abrdf::checkOutputPath(shared.report);
+    if (!shared.report.empty()) abrdf::checkReportPath(shared.report, words);
     // Times in archives do not matter, and with no zone named the C library would look up the
     // machine's own for each of an archive's thousands of entries.
     setenv("TZ", "UTC0", 0);
@@ -137,8 +139,8 @@ int runProgram(std::vector<std::string> words) {
     app.require_subcommand(0, 1);
     try {
         words = abrdf::withConfigFile(std::move(words));
-        std::reverse(words.begin(), words.end());  // CLI11 takes its arguments from the back.
-        app.parse(words);
+        std::vector<std::string> fromTheBack(words.rbegin(), words.rend());
+        app.parse(fromTheBack);  // CLI11 takes them off it.
     } catch (const CLI::Success& success) {
         app.exit(success);
         abrdf::checkStandardOutput();
@@ -158,12 +160,12 @@ int runProgram(std::vector<std::string> words) {
                                  commandNames(app));
         return kWrongUsage;
     }
-    return runChosen(run, shared);
+    return runChosen(run, shared, words);
 }
 
 constexpr const char* kNoMemory =
-    "there is not enough memory for this job; give it less --memory to keep within, fewer "
-    "--threads or fewer --texels";
+    "there is not enough memory for this job; give it fewer --threads or, where it has them, fewer "
+    "--texels or less --memory to keep within";
 
 /// Whether the system gave no memory, or no thread, which takes some. TBB says the latter in words.
 bool isLackOfMemory(const std::exception& error) {

@@ -23,3 +23,6 @@ render mitsuba "mitsuba -m scalar_spectral scene.xml -o picture.exr"
 render pbrt "pbrt scene.pbrt"
 render radiance "oconv scene.rad > scene.oct && rpict -ab 1 -vp 0 -4 2.2 -vd 0 4 -2.2 -vu 0 0 1 -vh 28 -vv 28 scene.oct > picture.hdr"
 render blender "blender -b -P scene.py -- picture.exr"
+for picture in "$folder"/*/picture.*; do
+    [ -e "$picture" ] && echo "look at $picture"
+done

@@ -8,6 +8,7 @@
 #include "pipeline/export/scene_program.h"
 #include "pipeline/preview/shown_atlas.h"
 #include "stages/preview/camera.h"
+#include "stages/read/atlas_reader.h"
 #include "stages/write/picture_exr.h"
 
 #include <fmt/format.h>
@@ -15,12 +16,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace abrdf {
 
+namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 namespace {
+
+/// As a shell takes it for one word.
+std::string quoted(const std::string& word) {
+    constexpr const char* kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/:,";
+    if (word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string result = "'";
+    for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
 
 constexpr const char* kSpace = "Linear Rec.709 (sRGB)";
 constexpr int kMapSide = 1024;
@@ -90,9 +103,10 @@ first = split(look_up("view_indices.exr", u, v))
 shares = split(look_up("view_shares.exr", u, v))
 fourth = split(look_up("view_fourth.exr", u, v))
 
-# The texels around the place, from the top left, and their shares; the map repeats.
+# The texels around the place, from the top left, and their shares; the map repeats. Texels are square:
+# the plane is as wide as the map is high.
 def texels(place, count):
-    at = math_node("MULTIPLY_ADD", place, float(repeats * count), -0.5)
+    at = math_node("MULTIPLY_ADD", place, float(repeats * high), -0.5)
     whole = math_node("FLOOR", at)
     share = math_node("SUBTRACT", at, whole)
 
@@ -240,6 +254,13 @@ ordered_json writeBlenderScene(const SceneJob& job) {
     ordered_json report;
     report["description"] = "a scene for Blender";
     report["conversions"] = ordered_json::array();
+    const fs::path& input = job.material.input.input;
+    if (fs::exists(input) && !isAtlas(input)) {
+        throw std::runtime_error(
+            fmt::format("{}: is no atlas, and Blender's scene is made of one; make it first: abrdf "
+                        "convert {} -o atlas.exr",
+                        input.string(), quoted(input.string())));
+    }
     const ColorConfig colors = ColorConfig::load(job.material.input.colorConfig);
     const Atlas atlas =
         atlasInSpace(job.material.input.input, colors, kSpace, report["conversions"]);
@@ -257,14 +278,16 @@ ordered_json writeBlenderScene(const SceneJob& job) {
                    fmt::format(fmt::runtime(kScript), fmt::arg("wide", wide),
                                fmt::arg("high", high), fmt::arg("views", views)));
     const Imath::V3d there = vectorFromDirection(grid.lights()[light]);
-    const double azimuth = degreesFromRadians(std::atan2(there.x, -there.y));
-    const double elevation = 90 - degreesFromRadians(grid.lights()[light].theta);
+    // To a ten thousandth: what is below is of the grid's floats.
+    const auto rounded = [](double degrees) { return std::round(1e4 * degrees) / 1e4; };
+    const double azimuth = rounded(degreesFromRadians(std::atan2(there.x, -there.y)));
+    const double elevation = rounded(90 - degreesFromRadians(grid.lights()[light].theta));
     report["light"] = {azimuth, elevation};
     report["scene"] = "scene.py";
     report["run"] = "blender -b -P scene.py -- picture.exr";
     report["preview"] = fmt::format("abrdf preview {} --kind plane --light {:g},{:g}{} -o same.exr",
-                                    job.material.input.input.filename().string(), azimuth,
-                                    elevation, wide * high > 1 ? " --tiles 1" : "");
+                                    quoted(fs::absolute(input).string()), azimuth, elevation,
+                                    wide * high > 1 ? " --tiles 1" : "");
     return report;
 }
 

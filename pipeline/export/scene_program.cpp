@@ -53,7 +53,9 @@ constexpr const char* kMitsuba = R"(<scene version="3.0.0">
 </scene>
 )";
 
-constexpr const char* kPbrt = R"(LookAt 0 -4 2.2  0 0 0  0 0 1
+// pbrt's own camera space is left-handed: without the first line it would show the mirror image.
+constexpr const char* kPbrt = R"(Scale -1 1 1
+LookAt 0 -4 2.2  0 0 0  0 0 1
 Camera "perspective" "float fov" 28
 Film "rgb" "string filename" "picture.exr" "integer xresolution" 512 "integer yresolution" 512
 Sampler "zsobol" "integer pixelsamples" 64
@@ -107,6 +109,48 @@ constexpr std::array kPrograms{
                  "-vh 28 -vv 28 scene.oct > picture.hdr"},
 };
 
+/// A scene's files are made in a folder within its own and put there when all are whole: a failed
+/// job leaves neither some of them nor old ones changed.
+class SceneFolder {
+  public:
+    explicit SceneFolder(fs::path folder) : folder_(std::move(folder)) {
+        std::error_code error;
+        if (!folder_.empty()) isNew_ = fs::create_directories(folder_, error);
+        if (!error && !folder_.empty()) {
+            fs::remove_all(unfinished(), error);  // Of a job that was killed.
+            fs::create_directory(unfinished(), error);
+        }
+        if (!error && !folder_.empty()) return;
+        throw std::runtime_error(fmt::format("'{}' cannot be made as a folder: {}",
+                                             folder_.string(),
+                                             error ? error.message() : "it has no name"));
+    }
+    SceneFolder(const SceneFolder&) = delete;
+    SceneFolder& operator=(const SceneFolder&) = delete;
+    ~SceneFolder() {
+        std::error_code ignored;
+        fs::remove_all(unfinished(), ignored);
+        if (isNew_) fs::remove(folder_, ignored);  // Goes only where it is empty.
+    }
+
+    fs::path unfinished() const { return folder_ / ".abrdf-unfinished"; }
+
+    void finish(const fs::path& input) const {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(unfinished())) {
+            files.push_back(entry.path());
+            const fs::path target = folder_ / entry.path().filename();
+            checkOutputPath(target);
+            checkIsNotInput(target, input);
+        }
+        for (const fs::path& file : files) fs::rename(file, folder_ / file.filename());
+    }
+
+  private:
+    fs::path folder_;
+    bool isNew_ = false;
+};
+
 ordered_json writeScene(const SceneProgram& program, const SceneJob& job,
                         const ProgressSink& progress) {
     ExportJob material = job.material;
@@ -145,20 +189,13 @@ ordered_json exportScene(const SceneJob& job, const ProgressSink& progress) {
             fmt::format("there is no scene for '{}'; there are:{}", job.program,
                         fmt::format(" {}", fmt::join(scenePrograms(), " "))));
     }
-    std::error_code error;
-    const bool isNew = fs::create_directories(job.material.output, error);
-    if (error) {
-        throw std::runtime_error(fmt::format("{}: cannot be made as a folder: {}",
-                                             job.material.output.string(), error.message()));
-    }
-    try {
-        return job.program == "blender" ? writeBlenderScene(job)
-                                        : writeScene(*found, job, progress);
-    } catch (...) {
-        // Goes only where it is empty.
-        if (isNew) fs::remove(job.material.output, error);
-        throw;
-    }
+    const SceneFolder folder(job.material.output);
+    SceneJob unfinished = job;
+    unfinished.material.output = folder.unfinished();
+    ordered_json report = job.program == "blender" ? writeBlenderScene(unfinished)
+                                                   : writeScene(*found, unfinished, progress);
+    folder.finish(job.material.input.input);
+    return report;
 }
 
 }  // namespace abrdf

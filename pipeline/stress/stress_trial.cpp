@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/stress/stress_trial.h"
 
+#include "abrdf/real_light.h"
 #include "stages/measure/measures.h"
 #include "stages/slice/choose_samples.h"
 #include "stages/slice/slice_texels.h"
@@ -15,10 +16,6 @@ namespace abrdf {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
-bool isLight(Rgb c) {
-    return isFinite(c) && c.r >= 0 && c.g >= 0 && c.b >= 0;
-}
 
 /// An image of one texel a sample, as reading leaves them: NaN where there is no light.
 ImageStack photographed(const StressTrial& trial, const SampleSet& samples, Random& random) {

@@ -11,14 +11,19 @@ namespace abrdf {
 
 ExportReport writeAstm(const std::filesystem::path& path, const ExportSource& source,
                        const ExportOptions& options) {
-    const GoniometerTable table = goniometerTable(path, source, options);
-    std::string text =
-        fmt::format("NUM_POINTS {}\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n", table.values.size());
-    for (std::size_t i = 0; i < table.values.size(); ++i) {
+    const GoniometerTable table = goniometerTable(source, options);
+    const std::size_t lightPhis = table.lightPhis.size();
+    const std::size_t viewCount = table.viewThetas.size() * table.viewPhis.size();
+    const std::size_t rows = table.lightThetas.size() * table.closedLightPhis() * viewCount;
+    std::string text = fmt::format("NUM_POINTS {}\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n", rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+        const std::size_t tl = row / viewCount / table.closedLightPhis();
+        const std::size_t pl = row / viewCount % table.closedLightPhis();
+        const std::size_t i = (tl * lightPhis + pl % lightPhis) * viewCount + row % viewCount;
         const auto& [light, view] = table.pairAt(i);
         const auto& [r, g, b] = table.values[i];
         text += fmt::format("{:.6f},{:.6f},{:.6f},{:.6f},{:.6g},{:.6g},{:.6g}\n", light.theta,
-                            light.phi, view.theta, view.phi, r, g, b);
+                            pl < lightPhis ? light.phi : 2 * kPi, view.theta, view.phi, r, g, b);
     }
     writeWholeFile(path, text);
     return reportOf(table, options, "text: theta_i phi_i theta_s phi_s in radians, then R G B");

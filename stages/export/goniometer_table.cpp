@@ -2,6 +2,7 @@
 #include "stages/export/goniometer_table.h"
 
 #include "abrdf/for_each_texel.h"
+#include "stages/export/value_range.h"
 
 #include <fmt/format.h>
 
@@ -38,8 +39,7 @@ LightAndView GoniometerTable::pairAt(std::size_t index) const {
     return pair;
 }
 
-GoniometerTable goniometerTable(const std::filesystem::path& path, const ExportSource& source,
-                                const ExportOptions& options) {
+GoniometerTable goniometerTable(const ExportSource& source, const ExportOptions& options) {
     GoniometerTable table;
     table.symmetries = symmetriesOf(source, options.azimuths);
     table.isotropic = table.symmetries.turnDeltaE <= options.tolerance;
@@ -57,12 +57,7 @@ GoniometerTable goniometerTable(const std::filesystem::path& path, const ExportS
                 static_cast<float>(1 / std::cos(pair.light.theta)) * brdf.evaluate(pair);
         }
     });
-    if (!std::ranges::all_of(table.values, isFinite)) {
-        throw std::runtime_error(fmt::format(
-            "{}: the material has values past what the format's floats hold; look for the texels "
-            "at fault with abrdf inspect, or scale them",
-            path.string()));
-    }
+    checkRange(table.values, source);
     for (std::size_t i = 0; i < table.values.size(); ++i) {
         table.extrapolated.push_back(source.brdf.isExtrapolated(table.pairAt(i)));
     }

@@ -19,6 +19,10 @@ struct GoniometerTable {
     bool isotropic = true;
     Symmetries symmetries;
 
+    /// Azimuths of the light once round: the last is the first again, as readers would go on past
+    /// the last one and not round. One where isotropic.
+    std::size_t closedLightPhis() const { return isotropic ? 1 : lightPhis.size() + 1; }
+
     /// Angles by their places in the lists.
     std::size_t indexOf(std::size_t lightTheta, std::size_t lightPhi, std::size_t viewTheta,
                         std::size_t viewPhi) const {
@@ -30,10 +34,8 @@ struct GoniometerTable {
 };
 
 /// 5 degrees where the material is isotropic within options.tolerance, else 15 for the light and
-/// the azimuths; elevations up to 80 degrees. Throws std::runtime_error, naming `path`, for values
-/// past what floats hold.
-GoniometerTable goniometerTable(const std::filesystem::path& path, const ExportSource& source,
-                                const ExportOptions& options);
+/// the azimuths; elevations up to 80 degrees. Throws as checkRange().
+GoniometerTable goniometerTable(const ExportSource& source, const ExportOptions& options);
 
 /// The report of a file that holds the table.
 ExportReport reportOf(const GoniometerTable& table, const ExportOptions& options,

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace abrdf {
@@ -93,6 +94,12 @@ Symmetries symmetriesOf(const ExportSource& source, int azimuths) {
         sum.square += pair.weight * pair.square;
         sum.swapSquare += pair.weight * pair.swapSquare;
         sum.brdfSquare += pair.weight * pair.brdfSquare;
+    }
+    if (!std::isfinite(sum.deltaE) || !std::isfinite(sum.square)) {
+        throw std::runtime_error(fmt::format(
+            "{}: has values past what 32-bit floats hold once they are summed; scale the material "
+            "down",
+            source.name));
     }
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
     return {ratio(sum.deltaE, sum.weight), ratio(sum.turnSquare, sum.square),

@@ -8,6 +8,7 @@
 #include "stages/export/isotropy.h"
 #include "stages/export/tensor_tree.h"
 #include "stages/export/turned_pair.h"
+#include "stages/export/value_range.h"
 
 #include <ImathMatrix.h>
 #include <fmt/format.h>
@@ -134,10 +135,16 @@ std::string wavelengthData(const char* wavelength, const std::string& tree) {
         wavelength, tree);
 }
 
+/// XML has no control characters.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {
-        result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
+        const bool isControl = static_cast<unsigned char>(c) < ' ';
+        result += c == '<'    ? "&lt;"
+                  : c == '&'  ? "&amp;"
+                  : c == '>'  ? "&gt;"
+                  : isControl ? " "
+                              : std::string(1, c);
     }
     return result;
 }
@@ -170,12 +177,7 @@ ExportReport writeRadiance(const std::filesystem::path& path, const ExportSource
             colors[i] = cellValue(cells, i, brdf, isotropic ? options.azimuths : 1);
         }
     });
-    if (!std::ranges::all_of(colors, isFinite)) {
-        throw std::runtime_error(fmt::format(
-            "{}: the material has values past what the format's floats hold; look for the texels "
-            "at fault with abrdf inspect, or scale them",
-            path.string()));
-    }
+    checkRange(colors, source);
     const Planes planes = planesOf(colors);
     double mean = 0;
     for (const float y : planes.luminance) mean += static_cast<double>(y);

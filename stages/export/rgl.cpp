@@ -165,7 +165,7 @@ ExportReport writeRgl(const std::filesystem::path& path, const ExportSource& sou
     const bool isOneTurn = !isotropic || symmetries.turnShare < 1e-9;
     const TurnedBrdf brdf(source, isOneTurn ? 1 : options.azimuths);
     const Frame frame = frameOf(source, options, isotropic, brdf);
-    RglNodes nodes = nodesOf(frame.shape, frame.data, source, brdf, path);
+    RglNodes nodes = nodesOf(frame.shape, frame.data, source, brdf);
     const double reflectance = keepEnergy(frame.shape, nodes);
     fileOf(frame, nodes, source.name, options.spectra).write(path);
     ExportReport report;
@@ -174,7 +174,9 @@ ExportReport writeRgl(const std::filesystem::path& path, const ExportSource& sou
     report.extrapolated =
         static_cast<std::uint64_t>(std::ranges::count(nodes.places, std::uint8_t{2}));
     report.details = {
-        {"layout", "tensor file 1.0: phi_i theta_i ndf sigma vndf luminance rgb jacobian"},
+        {"layout",
+         fmt::format("tensor file 1.0: phi_i theta_i ndf sigma vndf luminance rgb {}jacobian",
+                     options.spectra ? "wavelengths spectra " : "")},
         {"value", "S of f cos(theta_o) = S ndf(m) / (4 sigma(w_i)), w_i the viewer's side"},
         {"isotropic", isotropic},
         {"directions", {isotropic ? 2 : frame.shape.phis, frame.shape.thetas.size()}},

@@ -2,13 +2,11 @@
 #include "stages/export/rgl_nodes.h"
 
 #include "abrdf/for_each_texel.h"
-
-#include <fmt/format.h>
+#include "stages/export/value_range.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace abrdf {
 
@@ -40,14 +38,6 @@ std::array<double, 3> albedoOf(const RglNodes& nodes, std::size_t begin, std::si
         sum[2] += weight * static_cast<double>(s.b);
     }
     return sum;
-}
-
-void checkRange(const RglNodes& nodes, const std::filesystem::path& path) {
-    if (std::ranges::all_of(nodes.values, isFinite)) return;
-    throw std::runtime_error(fmt::format(
-        "{}: the material has values past what the format's floats hold; look for the texels at "
-        "fault with abrdf inspect, or scale them",
-        path.string()));
 }
 
 }  // namespace
@@ -83,7 +73,7 @@ std::vector<float> sampleDensity(const RglShape& shape, const TableStack& ndf,
 }
 
 RglNodes nodesOf(const RglShape& shape, const RglData& data, const ExportSource& source,
-                 const TurnedBrdf& brdf, const std::filesystem::path& path) {
+                 const TurnedBrdf& brdf) {
     const TabulatedWarp warp(data.vndf);
     const std::size_t size = shape.side * shape.side;
     const std::size_t count = shape.tables() * size;
@@ -117,7 +107,7 @@ RglNodes nodesOf(const RglShape& shape, const RglData& data, const ExportSource&
             nodes.places[i] = source.brdf.isExtrapolated(pair) ? 2 : 1;
         }
     });
-    checkRange(nodes, path);
+    checkRange(nodes.values, source);
     return nodes;
 }
 

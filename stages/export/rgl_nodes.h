@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 namespace abrdf {
@@ -37,10 +36,9 @@ struct RglNodes {
     std::vector<std::uint8_t> places;  ///< 0 below the horizon, 1 above, 2 past what was measured.
 };
 
-/// `data` without colours: its warp, distribution and area. Throws std::runtime_error, naming
-/// `path`, where a value is not finite.
+/// `data` without colours: its warp, distribution and area. Throws as checkRange().
 RglNodes nodesOf(const RglShape& shape, const RglData& data, const ExportSource& source,
-                 const TurnedBrdf& brdf, const std::filesystem::path& path);
+                 const TurnedBrdf& brdf);
 
 /// A reflectance that rounding and interpolation alone bring above 1 is brought back; one that is
 /// above it in the source stays. Returns the largest, as written.

@@ -43,13 +43,13 @@ std::string headerOf(const GoniometerTable& table, const std::string& name) {
 
 ExportReport writeSsdd(const std::filesystem::path& path, const ExportSource& source,
                        const ExportOptions& options) {
-    const GoniometerTable table = goniometerTable(path, source, options);
+    const GoniometerTable table = goniometerTable(source, options);
     std::string text = headerOf(table, source.name);
     const std::size_t lightPhis = table.lightPhis.size();
     const std::size_t viewPhis = table.viewPhis.size();
     for (std::size_t pv = 0; pv <= viewPhis; ++pv) {
         for (std::size_t tv = 0; tv < table.viewThetas.size(); ++tv) {
-            for (std::size_t pl = 0; pl < (table.isotropic ? 1 : lightPhis + 1); ++pl) {
+            for (std::size_t pl = 0; pl < table.closedLightPhis(); ++pl) {
                 for (std::size_t tl = 0; tl < table.lightThetas.size(); ++tl) {
                     const auto& [r, g, b] =
                         table.values[table.indexOf(tl, pl % lightPhis, tv, pv % viewPhis)];

@@ -38,6 +38,9 @@ class TreeMaker {
 
     std::string text(double bound) const { return text(0, {}, bound); }
 
+    /// The largest difference within a leaf, over its mean: at most `bound`.
+    double differenceAt(double bound) const { return difference(0, {}, bound); }
+
   private:
     using Place = std::array<std::size_t, 4>;  ///< Of a cube among those of its level.
 
@@ -106,6 +109,19 @@ class TreeMaker {
         return cube.high - cube.low <= bound * (cube.mean() + options_.floor);
     }
 
+    double difference(int level, const Place& place, double bound) const {
+        if (isLeaf(level, place, bound)) {
+            const Cube& cube = cubeAt(level, place);
+            const double size = cube.mean() + options_.floor;
+            return cube.high > cube.low ? (cube.high - cube.low) / size : 0;
+        }
+        double largest = 0;
+        for (std::size_t branch = 0; branch < branches_; ++branch) {
+            largest = std::max(largest, difference(level + 1, child(place, branch), bound));
+        }
+        return largest;
+    }
+
     std::size_t leaves(int level, const Place& place, double bound) const {
         if (isLeaf(level, place, bound)) {
             // Half of the cells is half of the first dimension.
@@ -164,8 +180,8 @@ DiskPlace diskFromSquare(double a, double b) {
 TensorTree tensorTree(const std::vector<float>& cells, const std::vector<float>& weights,
                       const TreeOptions& options) {
     const TreeMaker maker(cells, weights, options);
-    const auto wanted =
-        static_cast<std::size_t>(std::ceil((1 - options.cull) * static_cast<double>(options.live)));
+    const auto share = (1 - options.cull) * static_cast<double>(options.live);
+    const auto wanted = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(share)));
     TensorTree tree;
     // A leaf of everything is within the largest bound.
     double high = kRounding;
@@ -176,7 +192,7 @@ TensorTree tensorTree(const std::vector<float>& cells, const std::vector<float>&
         const double middle = (low + high) / 2;
         (maker.leavesAt(middle) > wanted ? low : high) = middle;
     }
-    tree.bound = high;
+    tree.bound = maker.differenceAt(high);
     tree.leaves = maker.leavesAt(high);
     tree.text = maker.text(high);
     return tree;

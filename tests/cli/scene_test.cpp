@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -24,15 +25,15 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A map of 2 x 2 texels of different colours, glossy, brighter for viewers on the right.
-fs::path glossyMap(const fs::path& folder) {
+fs::path glossyMap(const fs::path& folder, int width = 2) {
     const auto value = [](const LightAndView& p, int x, int y) {
         const Rgb c = lambertianWithGloss(
-            p, {0.2F + 0.3F * static_cast<float>(x), 0.3F, 0.1F + 0.4F * static_cast<float>(y)},
+            p, {0.2F + 0.3F * static_cast<float>(x % 3), 0.3F, 0.1F + 0.4F * static_cast<float>(y)},
             0.3, 0.3);
         const double side = 1 + 0.3 * std::sin(p.view.theta) * std::cos(p.view.phi);
         return static_cast<float>(side) * c;
     };
-    writeAtlas(folder / "map.exr", syntheticAtlas(AngularGrid(ubo81Directions()), 2, 2, value));
+    writeAtlas(folder / "map.exr", syntheticAtlas(AngularGrid(ubo81Directions()), width, 2, value));
     return folder / "map.exr";
 }
 
@@ -68,14 +69,56 @@ TEST_CASE("export --scene makes a folder for each renderer, and says how it is r
     const std::string xml = bytesOf(folder.path() / "mitsuba/scene.xml");
     CHECK(xml.find("type=\"measured\"") != std::string::npos);
     CHECK(xml.find("z=\"-0.766044\"") != std::string::npos);
-    CHECK(bytesOf(folder.path() / "pbrt/scene.pbrt").find("-0.604023 0.766044") !=
-          std::string::npos);
+    const std::string pbrt = bytesOf(folder.path() / "pbrt/scene.pbrt");
+    CHECK(pbrt.find("-0.604023 0.766044") != std::string::npos);
+    CHECK(pbrt.starts_with("Scale -1 1 1"));  // Else it shows the mirror image.
     CHECK(TensorTreeFile(folder.path() / "radiance/material.xml").rank() == 4);
     CHECK(bytesOf(folder.path() / "radiance/scene.rad").find("6 0 material.xml 0 0 1 .") !=
           std::string::npos);
     for (const char* file : {"spatial.exr", "view_indices.exr", "view_shares.exr", "scene.py"}) {
         CHECK(fs::exists(folder.path() / "blender" / file));
     }
+}
+
+TEST_CASE("a scene replaces neither its input nor, where it fails, any file") {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& call) { return runProgram(folder.path(), call); };
+    fs::create_directory(folder.path() / "own");
+    fs::rename(glossyMap(folder.path()), folder.path() / "own/spatial.exr");
+    const std::string map = bytesOf(folder.path() / "own/spatial.exr");
+    const ProgramRun own = run("export own/spatial.exr --scene blender -o own");
+    CHECK(own.status == 1);
+    CHECK(own.err.find("is the input as well") != std::string::npos);
+    CHECK(bytesOf(folder.path() / "own/spatial.exr") == map);
+    CHECK(filesIn(folder.path() / "own").size() == 1);
+    // A folder stands where one of the files is to be.
+    fs::create_directories(folder.path() / "old/scene.xml");
+    std::ofstream(folder.path() / "old/material.bsdf") << "old";
+    CHECK(run("export own/spatial.exr --scene mitsuba -o old").status == 1);
+    CHECK(bytesOf(folder.path() / "old/material.bsdf") == "old");
+    CHECK(filesIn(folder.path() / "old").size() == 2);
+    const ProgramRun table = run("export own --scene blender -o new");
+    CHECK(table.status == 1);
+    CHECK(table.err.find("is no atlas") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder.path() / "new"));
+    CHECK(run("export own/spatial.exr --scene blender -o ''").status == 1);
+}
+
+TEST_CASE("a report takes the place of no other file of its command") {
+    const TemporaryFolder folder;
+    const std::string map = bytesOf(glossyMap(folder.path()));
+    for (const char* call : {"export map.exr --to astm -o x --report map.exr",
+                             "export map.exr --to astm -o x --report ./x",
+                             "--report=x export map.exr --to astm --output=x"}) {
+        CAPTURE(call);
+        const ProgramRun run = runProgram(folder.path(), call);
+        CHECK(run.status == 2);
+        CHECK(run.err.find("is a file of this command already") != std::string::npos);
+        CHECK(bytesOf(folder.path() / "map.exr") == map);
+        CHECK_FALSE(fs::exists(folder.path() / "x"));
+    }
+    CHECK(runProgram(folder.path(), "export map.exr --to astm -o x --report y").status == 0);
+    CHECK(fs::exists(folder.path() / "y"));
 }
 
 TEST_CASE("a scene of an unknown renderer, or one beside a format, is refused") {
@@ -123,6 +166,7 @@ TEST_CASE("what an export cannot take is one sentence, and leaves nothing behind
              {"map.exr --to radiance --resolution 24 -o x", 2, "8, 16, 32 cells a side, not 24"},
              {"map.exr --to rgl --texel 1.5,0 -o x", 2, "is no texel"},
              {"map.exr --to rgl -o absent/x", 1, "does not exist"},
+             {"map.exr --to rgl --grazing mirror -o x", 2, "hold, fade"},
          }) {
         CAPTURE(wrong.call);
         const ProgramRun run = runProgram(folder.path(), std::string("export ") + wrong.call);
@@ -138,7 +182,7 @@ TEST_CASE("Blender shows the atlas as the preview does") {
         return;
     }
     const TemporaryFolder folder;
-    glossyMap(folder.path());
+    glossyMap(folder.path(), 3);  // Wider than high: texels stay square.
     const ProgramRun run =
         runProgram(folder.path(), "export map.exr --scene blender --light -30,45 -o scene --json");
     REQUIRE(run.status == 0);

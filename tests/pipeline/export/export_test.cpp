@@ -4,7 +4,9 @@
 #include "pipeline/convert/convert.h"
 #include "stages/read/atlas_reader.h"
 #include "stages/read/btf_reader.h"
+#include "tests/support/fault_of.h"
 #include "tests/support/small_files.h"
+#include "tests/support/synthetic_atlas.h"
 #include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
 
@@ -12,6 +14,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 
 using namespace abrdf;
@@ -168,6 +171,61 @@ TEST_CASE("an atlas without enough directions is refused, with what to do") {
     CHECK_FALSE(fs::exists(folder.path() / "x.bsdf"));
 }
 
+TEST_CASE("directions are enough where they differ, in elevation and out of one plane") {
+    const TemporaryFolder folder;
+    std::vector<Direction> ring;
+    std::vector<Direction> line;
+    for (int k = 0; k < 20; ++k) {
+        ring.push_back({1, 0.3 * k});
+        line.push_back({0.07 * k, k % 2 * kPi});
+    }
+    const std::vector<std::pair<const char*, AngularGrid>> grids = {
+        {"the normal often", AngularGrid(std::vector<Direction>(12, {0, 1}))},
+        {"one ring", AngularGrid(ring)},
+        {"one plane", AngularGrid(line)}};
+    for (const auto& [name, grid] : grids) {
+        CAPTURE(name);
+        writeAtlas(folder.path() / "a.exr",
+                   syntheticAtlas(grid, 1, 1, [](const LightAndView& p, int, int) {
+                       const auto v = static_cast<float>(material(p));
+                       return Rgb{v, v, v};
+                   }));
+        const std::string fault =
+            faultOf([&] { exported(folder.path() / "a.exr", "rgl", folder.path() / "x.bsdf"); });
+        CHECK(contains(fault, "are too few for a material"));
+    }
+}
+
+TEST_CASE("values that are no light are left out of an export and counted; too many are refused") {
+    const TemporaryFolder folder;
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const auto writeWith = [&](Rgb bad, int every) {
+        int count = 0;
+        writeAtlas(folder.path() / "a.exr", syntheticAtlas(AngularGrid(ubo81Directions()), 1, 1,
+                                                           [&](const LightAndView& p, int, int) {
+                                                               if (++count % every == 0) return bad;
+                                                               const auto v =
+                                                                   static_cast<float>(material(p));
+                                                               return Rgb{v, v, v};
+                                                           }));
+    };
+    for (const Rgb bad : {Rgb{kNaN, 1, 1}, Rgb{1, kInfinity, 1}, Rgb{1, 1, -0.5F}}) {
+        writeWith(bad, 1000);
+        const auto report = exported(folder.path() / "a.exr", "astm", folder.path() / "x");
+        CHECK(report["left_out"] == 6);
+        CHECK(contains(report["notes"].dump(), "6 values were NaN, infinite or negative"));
+        writeWith(bad, 1);
+        fs::remove(folder.path() / "x");
+        const std::string fault =
+            faultOf([&] { exported(folder.path() / "a.exr", "astm", folder.path() / "x"); });
+        CHECK(contains(fault, "a.exr: 6561 of 6561 pairs of directions hold no light"));
+        CHECK_FALSE(fs::exists(folder.path() / "x"));
+    }
+    writeWith({1, 1, 1}, 10000);
+    CHECK(exported(folder.path() / "a.exr", "astm", folder.path() / "x")["left_out"] == 0);
+}
+
 TEST_CASE("an ubo81 atlas comes back from an RGL file within 1 %") {
     const TemporaryFolder folder;
     writeStack(folder.path() / "btf");
@@ -193,6 +251,16 @@ TEST_CASE("an export onto its own input, or into nothing, is refused") {
     CHECK_THROWS_AS(exported(file, "utia-bin", folder.path() / "none/x.bin"), std::runtime_error);
     CHECK_THROWS_AS(exported(file, "png", folder.path() / "x.png"), std::invalid_argument);
     CHECK(bytesOf(file) == mbsdfBytes(4, 6));
+    // The JSON beside is a file as well: no input, and no folder.
+    fs::rename(file, folder.path() / "m.json");
+    CHECK(
+        contains(faultOf([&] { exported(folder.path() / "m.json", "astm", folder.path() / "m"); }),
+                 "m.json: is the input as well"));
+    std::ofstream(folder.path() / "old") << "old";
+    fs::create_directory(folder.path() / "old.json");
+    CHECK_THROWS_AS(exported(folder.path() / "m.json", "astm", folder.path() / "old"),
+                    std::runtime_error);
+    CHECK(bytesOf(folder.path() / "old") == "old");
 }
 
 TEST_CASE("past the measured elevations a job holds, fades or goes on, and counts") {

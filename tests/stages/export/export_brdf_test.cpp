@@ -165,6 +165,17 @@ TEST_CASE("an ASTM file is a row a pair, angles in radians and the BRDF") {
     }
     CHECK(rows == 20808);
     CHECK(write("astm", path, Anisotropic()).values == 6 * 24 * 17 * 24);
+    // Readers go on past the light's last azimuth and not round: 360 degrees are there as well.
+    const std::string closed = bytesOf(path);
+    CHECK(closed.starts_with("NUM_POINTS 61200\n"));  // 6 x 25 x 17 x 24.
+    CHECK(std::ranges::count(closed, '\n') == 61202);
+    const auto valuesAt = [&](const char* place) {
+        const std::size_t begin = closed.find(place) + std::string(place).size();
+        return closed.substr(begin, closed.find('\n', begin) - begin);
+    };
+    const std::string first = valuesAt("\n0.785398,0.000000,0.523599,1.047198,");
+    CHECK(std::ranges::count(first, ',') == 2);
+    CHECK(valuesAt("\n0.785398,6.283185,0.523599,1.047198,") == first);
 }
 
 TEST_CASE(

@@ -2,6 +2,7 @@
 #include "abrdf/angular_grid.h"
 #include "stages/export/export_brdf.h"
 #include "stages/export/tensor_tree.h"
+#include "tests/support/synthetic_btf.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tensor_tree_file.h"
 
@@ -177,6 +178,30 @@ TEST_CASE("a Radiance tree keeps values within the cull's bound, and reflectance
         CHECK(least > 0.99);
         CHECK(most < 1.01);
     }
+}
+
+TEST_CASE("a tree of one leaf tells how far it is off, and names are text of XML") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "m.xml";
+    Lobed brdf;
+    brdf.lobe = 3;
+    const GrazingBrdf source(brdf, kPi / 2, Grazing::kHold, Cosine::kKept);
+    ExportOptions options;
+    options.cull = 100;
+    const ExportReport report =
+        exportFormatFromName("radiance")
+            .write(path, {source, Cosine::kKept, "a\x01&\n<b>", true}, options);
+    CHECK(report.details["leaves"][0] == 1);
+    const TensorTreeFile file(path);
+    double largest = 0;
+    for (const LightAndView& pair : pairsOf(AngularGrid(dome151Directions()))) {
+        const double f = static_cast<double>(brdf.evaluate(pair).g) / std::cos(pair.light.theta);
+        largest = std::max(largest, f / kPi);
+    }
+    const double bound = report.details["cull_bound"][0];
+    CHECK(bound > 0.9 * largest / file.evaluate({{0.3, 0}, {0.3, 0}})[1] - 1);
+    CHECK(bound < 100);
+    CHECK(bytesOf(path).find("<Name>a &amp; &lt;b&gt;</Name>") != std::string::npos);
 }
 
 TEST_CASE("light comes first in a Radiance tree, and where it comes from is told apart") {

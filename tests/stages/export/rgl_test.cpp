@@ -257,7 +257,9 @@ TEST_CASE("an RGL file holds spectra where they are asked for") {
     ExportOptions options;
     options.spectra = true;
     options.resolution = 16;
-    writeRglFile(path, Glossy(), options);
+    const ExportReport report = writeRglFile(path, Glossy(), options);
+    CHECK(
+        report.details["layout"].get<std::string>().ends_with("rgb wavelengths spectra jacobian"));
     const RglSamples file(path);
     const auto& spectra = file.fields().at("spectra");
     const auto& rgb = file.fields().at("rgb");
