@@ -33,48 +33,6 @@ float dot(const PackedMatrix& matrix, std::size_t row, const float* vector, std:
     return sum;
 }
 
-/// Rows of the result are means of the rows of `matrix` that share a group.
-Eigen::MatrixXf groupMeans(const PackedMatrix& matrix, std::size_t columns,
-                           std::span<const std::size_t> groupOf, std::size_t groups) {
-    Eigen::MatrixXf sums = Eigen::MatrixXf::Zero(static_cast<Eigen::Index>(groups),
-                                                 static_cast<Eigen::Index>(columns));
-    Eigen::VectorXf counts = Eigen::VectorXf::Zero(sums.rows());
-    for (std::size_t row = 0; row < groupOf.size(); ++row) {
-        const auto group = static_cast<Eigen::Index>(groupOf[row]);
-        counts(group) += 1;
-        for (std::size_t k = 0; k < columns; ++k) {
-            sums(group, static_cast<Eigen::Index>(k)) += matrix.at(row, k);
-        }
-    }
-    return counts.cwiseInverse().asDiagonal() * sums;
-}
-
-std::vector<float> groupMeans(const std::vector<float>& values,
-                              std::span<const std::size_t> groupOf, std::size_t groups) {
-    if (values.empty()) return {};
-    std::vector<float> sums(groups);
-    std::vector<float> counts(groups);
-    for (std::size_t row = 0; row < groupOf.size(); ++row) {
-        sums[groupOf[row]] += values[row];
-        counts[groupOf[row]] += 1;
-    }
-    for (std::size_t g = 0; g < groups; ++g) sums[g] /= counts[g];
-    return sums;
-}
-
-/// The rows of `matrix` at these places.
-PackedMatrix rowsAt(const PackedMatrix& matrix, std::span<const std::size_t> rows) {
-    Eigen::MatrixXf result(static_cast<Eigen::Index>(rows.size()),
-                           static_cast<Eigen::Index>(matrix.columns()));
-    for (std::size_t k = 0; k < matrix.columns(); ++k) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-                matrix.at(rows[i], k);
-        }
-    }
-    return PackedMatrix(result);
-}
-
 }  // namespace
 
 TexelModel::TexelModel(TexelBasis basis, TexelRule rule, std::vector<std::size_t> rowOf,
@@ -102,37 +60,19 @@ void TexelModel::addSmall(TexelBasis small) {
 
 void TexelModel::addIsotropic(std::span<const LightAndView> pairs) {
     const PairGroups twins = isotropicPairs(pairs);
-    const std::size_t groups = twins.distinct.size();
     const TexelBasis& basis = small_ ? small_->basis : whole_.basis;
     std::vector<std::size_t> groupOf(basis.rows());
     for (std::size_t p = 0; p < pairs.size(); ++p) groupOf[whole_.rowOf[p]] = twins.rowOf[p];
     const auto columns = std::min<std::size_t>(kIsotropicRank, basis.luminance.columns());
-    TexelBasis means;
-    means.luminance = PackedMatrix(groupMeans(basis.luminance, columns, groupOf, groups));
-    means.chroma = PackedMatrix(groupMeans(basis.chroma, columns, groupOf, groups));
-    for (std::size_t i = 0; i < 4; ++i) {
-        means.logCenters[i] = groupMeans(basis.logCenters[i], groupOf, groups);
-    }
-    for (std::size_t c = 0; c < 2; ++c) {
-        means.chromaCenters[c] = groupMeans(basis.chromaCenters[c], groupOf, groups);
-    }
-    isotropic_ = partOf(std::move(means), twins.rowOf);
+    isotropic_ = partOf(basis.groupMeans(groupOf, twins.distinct.size(), columns), twins.rowOf);
 }
 
 TexelModel::Part TexelModel::restricted(const Part& part, std::span<const std::size_t> pairs) {
     std::vector<std::size_t> rows;
     for (const std::size_t pair : pairs) rows.push_back(part.rowOf[pair]);
-    TexelBasis basis;
-    basis.luminance = rowsAt(part.basis.luminance, rows);
-    basis.chroma = rowsAt(part.basis.chroma, rows);
-    const auto pick = [&](const std::vector<float>& from, std::vector<float>& to) {
-        for (std::size_t i = 0; i < rows.size() && !from.empty(); ++i) to.push_back(from[rows[i]]);
-    };
-    for (std::size_t i = 0; i < 4; ++i) pick(part.basis.logCenters[i], basis.logCenters[i]);
-    for (std::size_t c = 0; c < 2; ++c) pick(part.basis.chromaCenters[c], basis.chromaCenters[c]);
     std::vector<std::size_t> own(rows.size());
     std::iota(own.begin(), own.end(), std::size_t{0});
-    return partOf(std::move(basis), std::move(own));
+    return partOf(part.basis.atRows(rows), std::move(own));
 }
 
 TexelModel TexelModel::restricted(std::span<const std::size_t> pairs) const {

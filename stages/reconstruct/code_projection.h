@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abrdf/matrix_product.h"
-#include "abrdf/texel_model.h"
+#include "abrdf/texel_codes.h"
 
 #include <Eigen/Core>
 

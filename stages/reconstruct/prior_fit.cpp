@@ -37,7 +37,7 @@ struct Mixture {
     std::optional<CensoredSamples> censored;
 };
 
-/// What was clipped is put back by a first mixture, in `mean` and `texels` too; by them all is then
+/// A first mixture puts back what was clipped, in `mean` and `texels`; by these texels it is then
 /// chosen anew.
 Mixture chooseMixture(const PriorModel& model, const ReconstructOptions& options,
                       Eigen::MatrixX3d& mean, std::vector<Eigen::MatrixX3d>& texels) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abrdf/prior_model.h"
-#include "abrdf/texel_model.h"
+#include "abrdf/texel_codes.h"
 #include "color/rgb.h"
 #include "stages/reconstruct/censored_samples.h"
 #include "stages/reconstruct/prior_choice.h"
