@@ -2,6 +2,7 @@
 #include "pipeline/convert/convert.h"
 
 #include "cli/command.h"
+#include "pipeline/convert/dry_run.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
