@@ -11,7 +11,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace abrdf {
@@ -57,6 +59,16 @@ void addReadOptions(CLI::App& command, ReadOptions& options);
 
 /// --grazing, for commands that write on a grid of the user's choice.
 void addGrazingOption(CLI::App& command, Grazing& grazing);
+
+/// --colorconfig.
+void addColorConfigOption(CLI::App& command, std::optional<std::filesystem::path>& config);
+
+/// --texels, as text until the command runs.
+void addTexelsOption(CLI::App& command, std::string& texels);
+
+/// --no-clobber, and whether it keeps `output`, which it says.
+void addNoClobberFlag(CLI::App& command, bool& noClobber);
+bool isKept(bool noClobber, const std::filesystem::path& output);
 
 /// How databases are read, their colours and missing images, but for the input itself.
 void addDatabaseOptions(CLI::App& command, InputOptions& options);

@@ -56,6 +56,26 @@ void addGrazingOption(CLI::App& command, Grazing& grazing) {
         "past the measured elevations: hold (the default) | fade | extrapolate");
 }
 
+void addColorConfigOption(CLI::App& command, std::optional<std::filesystem::path>& config) {
+    command.add_option("--colorconfig", config,
+                       "OpenColorIO config (else $OCIO, else the shipped one)");
+}
+
+void addTexelsOption(CLI::App& command, std::string& texels) {
+    command.add_option("--texels", texels, "spatial resolution: WxH or full")
+        ->capture_default_str();
+}
+
+void addNoClobberFlag(CLI::App& command, bool& noClobber) {
+    command.add_flag("--no-clobber", noClobber, "keep an existing output");
+}
+
+bool isKept(bool noClobber, const std::filesystem::path& output) {
+    if (!noClobber || !std::filesystem::exists(output)) return false;
+    spdlog::info("{}: exists and is kept (--no-clobber)", output.string());
+    return true;
+}
+
 void addInputOptions(CLI::App& command, InputOptions& options) {
     command
         .add_option("INPUT", options.input,
@@ -66,8 +86,7 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
 
 void addDatabaseOptions(CLI::App& command, InputOptions& options) {
     addReadOptions(command, options.read);
-    command.add_option("--colorconfig", options.colorConfig,
-                       "OpenColorIO config (else $OCIO, else the shipped one)");
+    addColorConfigOption(command, options.colorConfig);
     command.add_option("--input-space", options.inputSpace,
                        "colour space of the images (else the database's convention)");
     const std::map<std::string, MissingImages> policies = {{"error", MissingImages::kError},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/convert/convert.h"
 
+#include "cli/atlas_options.h"
 #include "cli/command.h"
+#include "pipeline/convert/dry_run.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -16,9 +18,7 @@ struct Options {
     ConvertOptions job;
     std::string texels = "1x1";
     PlaneOptions plane;
-    std::string layout = "angular";
-    std::string compression = "zip";
-    std::string cosine = "keep";
+    AtlasOptions atlas;
     std::string shard = "1/1";
     std::string budget;
     bool dryRun = false;
@@ -93,16 +93,11 @@ void warnOfCounts(const nlohmann::ordered_json& counts) {
 int run(Options options, const SharedOptions& shared, const ProgressSink& progress) {
     options.job.texels = texelsFromName(options.texels);
     options.job.plane = planeFrom(options.plane);
-    options.job.layout = atlasKindFromName(options.layout);
-    options.job.compression = compressionFromName(options.compression);
+    options.atlas.giveTo(options.job);
     if (!options.budget.empty()) options.job.limits.budget = microsecondsFromText(options.budget);
-    options.job.divideCosine = options.cosine == "divide";
     options.job.shard = shardFromText(options.shard);
     options.job.memory = shared.memoryBytes();
-    if (options.noClobber && std::filesystem::exists(options.job.output)) {
-        spdlog::info("{}: exists and is kept (--no-clobber)", options.job.output.string());
-        return 0;
-    }
+    if (isKept(options.noClobber, options.job.output)) return 0;
     if (options.dryRun) {
         const auto plan = planConvert(options.job);
         deliver(plan, planText(plan), shared);
@@ -125,7 +120,7 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
     ConvertOptions& job = options->job;
     addInputOptions(*command, job.input);
     addMethodOptions(*command, job.method);
-    command->add_option("-o,--output", job.output, "the atlas, an OpenEXR file")->required();
+    addAtlasOutput(*command, job.output);
     const CLI::Option* method =
         command->add_option("--method", job.method.name, "see abrdf --list-methods")
             ->capture_default_str();
@@ -151,30 +146,18 @@ void addConvert(CLI::App& app, RunCommand& runCommand) {
                         "only what a scene shows: a CSV of theta_i,phi_i,theta_v,phi_v,weight in "
                         "degrees; grid, samples and rank are chosen for these pairs");
     addGrazingOption(*command, job.grazing);
-    command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
-        ->capture_default_str();
+    addTexelsOption(*command, options->texels);
     addPlaneOptions(*command, options->plane);
-    command
-        ->add_option("--layout", options->layout,
-                     "angular | spatial | model: few numbers a texel, see abrdf expand")
-        ->capture_default_str();
-    const std::map<std::string, PixelChoice> pixels = {
-        {"auto", PixelChoice::kAuto}, {"half", PixelChoice::kHalf}, {"float", PixelChoice::kFloat}};
-    command->add_option("--pixel", job.pixel, "auto | half | float")
-        ->transform(CLI::CheckedTransformer(pixels));
-    command->add_option("--compression", options->compression, "none | zips | zip | piz")
-        ->capture_default_str();
-    command->add_option("--output-space", job.outputSpace, "colour space of the atlas")
-        ->capture_default_str();
-    command->add_option("--cosine", options->cosine, "cos(theta_i) in the values: keep | divide")
-        ->check(CLI::IsMember({"keep", "divide"}))
-        ->capture_default_str();
+    options->atlas.outputSpace = job.outputSpace;
+    addAtlasOptions(*command, options->atlas,
+                    "angular | spatial | model: few numbers a texel, see abrdf expand",
+                    "colour space of the atlas");
     command->add_flag("--dry-run", options->dryRun, "say what would be read and written");
     command->add_flag("--resume", job.resume,
                       "continue where an earlier run of the same job stopped");
     command->add_option("--shard", options->shard,
                         "only part I of N of the map, as 1/4; abrdf merge joins them");
-    command->add_flag("--no-clobber", options->noClobber, "keep an existing output");
+    addNoClobberFlag(*command, options->noClobber);
     command->callback([options, method, &runCommand] {
         options->job.limits.methodIsOpen = method->count() == 0;
         runCommand = [options](const SharedOptions& shared, const ProgressSink& progress) {

@@ -24,8 +24,7 @@ void addEvaluate(CLI::App& app, RunCommand& runCommand) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->capture_default_str();
-    command->add_option("--texels", options->texels, "spatial resolution: WxH or full")
-        ->capture_default_str();
+    addTexelsOption(*command, options->texels);
     addPlaneOptions(*command, options->plane);
     command
         ->add_option("--tolerance", options->job.choice.options.tolerance,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/convert/merge.h"
 
+#include "cli/atlas_options.h"
 #include "cli/command.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace abrdf {
 
@@ -23,15 +23,12 @@ void addMerge(CLI::App& app, RunCommand& runCommand) {
     auto noClobber = std::make_shared<bool>(false);
     command->add_option("SHARD", options->shards, "atlases of convert --shard, in any order")
         ->required();
-    command->add_option("-o,--output", options->output, "the atlas, an OpenEXR file")->required();
-    command->add_flag("--no-clobber", *noClobber, "keep an existing output");
+    addAtlasOutput(*command, options->output);
+    addNoClobberFlag(*command, *noClobber);
     command->callback([options, noClobber, &runCommand] {
         runCommand = [options, noClobber](const SharedOptions& shared,
                                           const ProgressSink& progress) {
-            if (*noClobber && std::filesystem::exists(options->output)) {
-                spdlog::info("{}: exists and is kept (--no-clobber)", options->output.string());
-                return 0;
-            }
+            if (isKept(*noClobber, options->output)) return 0;
             options->memory = shared.memoryBytes();
             const auto report = merge(*options, progress);
             const std::string text = fmt::format(

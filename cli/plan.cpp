@@ -2,6 +2,7 @@
 #include "pipeline/plan/plan.h"
 
 #include "cli/command.h"
+#include "pipeline/plan/plan_report.h"
 
 namespace abrdf {
 

@@ -88,14 +88,8 @@ PreviewOptions jobOf(const Options& options) {
     return job;
 }
 
-bool isKept(const Options& options, const std::filesystem::path& output) {
-    if (!options.noClobber || !std::filesystem::exists(output)) return false;
-    spdlog::info("{}: exists and is kept (--no-clobber)", output.string());
-    return true;
-}
-
 int runPage(const Options& options, const SharedOptions& shared, const ProgressSink& progress) {
-    if (isKept(options, options.html)) return 0;
+    if (isKept(options.noClobber, options.html)) return 0;
     PageOptions page = options.page;
     page.atlases = options.atlases;
     page.output = options.html;
@@ -118,7 +112,7 @@ int run(const Options& options, const SharedOptions& shared, const ProgressSink&
     }
     PreviewOptions job = jobOf(options);
     job.atlas = options.atlases.front();
-    if (isKept(options, job.output)) return 0;
+    if (isKept(options.noClobber, job.output)) return 0;
     auto report = preview(job, progress);
     report["threads"] = shared.threads;
     if (report["color"].value("encoding", "") == "unknown") {
@@ -172,8 +166,7 @@ void addPictureOptions(CLI::App& command, Options& options) {
     command.add_option("--look", job.display.look, "OpenColorIO looks, in place of the view's own");
     command.add_option("--output-space", job.outputSpace, "colour space of an .exr")
         ->capture_default_str();
-    command.add_option("--colorconfig", job.colorConfig,
-                       "OpenColorIO config (else $OCIO, else the shipped one)");
+    addColorConfigOption(command, job.colorConfig);
     command
         .add_option("--background", options.background,
                     "scene-linear R,G,B or one grey; none leaves an alpha channel")
@@ -184,7 +177,7 @@ void addPictureOptions(CLI::App& command, Options& options) {
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
     command.add_flag("--draft", job.draft, "first writes a coarse picture in the same place");
-    command.add_flag("--no-clobber", options.noClobber, "keep an existing output");
+    addNoClobberFlag(command, options.noClobber);
 }
 
 }  // namespace

@@ -46,17 +46,12 @@ void addReport(CLI::App& app, RunCommand& runCommand) {
     command->add_option("--exposure", page.exposure, "factor on the light")->capture_default_str();
     command->add_option("--display", page.display.display, "an OpenColorIO display in sRGB");
     command->add_option("--view", page.display.view, "the view of tone curve 1");
-    command->add_option("--colorconfig", page.colorConfig,
-                        "OpenColorIO config (else $OCIO, else the shipped one)");
-    command->add_flag("--no-clobber", *noClobber, "keep an existing output");
+    addColorConfigOption(*command, page.colorConfig);
+    addNoClobberFlag(*command, *noClobber);
     command->callback([options, noClobber, &runCommand] {
         runCommand = [options, noClobber](const SharedOptions& shared,
                                           const ProgressSink& progress) {
-            if (*noClobber && std::filesystem::exists(options->page.output)) {
-                spdlog::info("{}: exists and is kept (--no-clobber)",
-                             options->page.output.string());
-                return 0;
-            }
+            if (isKept(*noClobber, options->page.output)) return 0;
             return deliverPage(reportFolder(options->folder, options->page, progress), shared);
         };
     });

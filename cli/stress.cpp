@@ -37,8 +37,7 @@ void addStress(CLI::App& app, RunCommand& runCommand) {
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command->add_option("--seed", job->seed, "of noise and losses")->capture_default_str();
-    command->add_option("--colorconfig", job->colorConfig,
-                        "OpenColorIO config (else $OCIO, else the shipped one)");
+    addColorConfigOption(*command, job->colorConfig);
     command->callback([job, &runCommand] {
         runCommand = [job](const SharedOptions& shared, const ProgressSink& progress) {
             const auto report = stress(*job, progress, [](const std::string& message) {

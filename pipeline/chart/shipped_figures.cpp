@@ -6,9 +6,10 @@
 
 namespace abrdf {
 
-std::vector<MethodFigure> shippedFigures() {
-    return figuresFromCsv(
-        R"(method,samples,rank,delta_e,delta_e_worst,psnr,psnr_worst,stops,microseconds_per_abrdf,microseconds_all_cores,multiply_adds,model_bytes,images,set_up_milliseconds
+namespace {
+
+constexpr const char* kShippedFigures =
+    R"(method,samples,rank,delta_e,delta_e_worst,psnr,psnr_worst,stops,microseconds_per_abrdf,microseconds_all_cores,multiply_adds,model_bytes,images,set_up_milliseconds
 prior,16,4,4.73114,12.6968,27.4166,22.8818,0.469548,157.288,177.389,101210,81.8182,16,21.9264
 prior,16,8,3.96828,11.7371,28.3517,22.9643,0.403208,173.747,161.089,202420,147.273,16,22.8425
 prior,16,0,3.54797,11.194,28.9044,23.23,0.366352,155.077,171.388,403793,278.182,16,19.7699
@@ -75,8 +76,12 @@ constant,52,0,42.065,98.8088,12.5536,0.302496,4.2941,10.3665,10.3996,19839,12,52
 constant,100,0,41.4577,98.8088,12.3843,0.302496,4.30999,10.3661,10.3993,19983,12,100,0.00271773
 constant,204,0,40.182,98.8088,12.8439,0.302496,4.15334,10.4065,10.4392,20295,12,204,0.00419809
 constant,408,0,38.7059,98.8088,13.0219,0.302496,4.0595,10.5267,10.1124,20907,12,408,0.00726273
-)",
-        "the shipped figures");
+)";
+
+}  // namespace
+
+std::vector<MethodFigure> shippedFigures() {
+    return figuresFromCsv(kShippedFigures, "the shipped figures");
 }
 
 }  // namespace abrdf

@@ -5,6 +5,7 @@
 #include "abrdf/grazing.h"
 #include "pipeline/chart/method_limits.h"
 #include "pipeline/convert/plane.h"
+#include "pipeline/convert/shard.h"
 #include "pipeline/reconstruction.h"
 #include "stages/write/atlas_writer.h"
 
@@ -17,15 +18,6 @@ enum class PixelChoice {
     kHalf,
     kFloat,
 };
-
-/// A part of a job: 1 .. count.
-struct Shard {
-    int index = 1;
-    int count = 1;
-};
-
-/// "I/N". Throws std::invalid_argument.
-Shard shardFromText(const std::string& text);
 
 /// The main job: a BTF stack in, an atlas of reconstructed ABRDFs out.
 struct ConvertOptions {
@@ -48,10 +40,6 @@ struct ConvertOptions {
     /// A part of the atlas: some rows of texels, always in angular layout; merge() joins them.
     Shard shard;
 };
-
-/// What a job would do, without decoding a pixel: images to be read, bytes, memory, scratch files,
-/// output size.
-nlohmann::ordered_json planConvert(const ConvertOptions& options);
 
 /// Does the job; the output file appears whole or not at all. Returns the report of interface.md.
 /// Throws std::runtime_error for faults of files, std::invalid_argument for impossible options.

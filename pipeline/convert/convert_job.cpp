@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/convert/convert_job.h"
 
-#include "abrdf/content_hash.h"
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "abrdf/stopwatch.h"
 #include "color/known_space.h"
-#include "pipeline/plan/plan_advice.h"
 #include "pipeline/process_memory.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <stdexcept>
 
 namespace abrdf {
@@ -150,33 +148,7 @@ std::optional<SceneChoice> sceneOf(const ConvertJob& job, const ConvertOptions& 
         options.method.plan.isOpen()};
 }
 
-/// A number for a list of directions.
-std::uint64_t hashOf(const std::vector<Direction>& directions, std::uint64_t seed) {
-    return contentHash(
-        {reinterpret_cast<const char*>(directions.data()), directions.size() * sizeof(Direction)},
-        seed);
-}
-
-std::string hex(std::uint64_t hash) {
-    return fmt::format("{:016x}", hash);
-}
-
 }  // namespace
-
-Shard shardFromText(const std::string& text) {
-    Shard shard;
-    const char* end = text.data() + text.size();
-    const auto [slash, error] = std::from_chars(text.data(), end, shard.index);
-    if (error == std::errc() && slash != end && *slash == '/') {
-        const auto [rest, countError] = std::from_chars(slash + 1, end, shard.count);
-        if (countError == std::errc() && rest == end && shard.index >= 1 &&
-            shard.index <= shard.count) {
-            return shard;
-        }
-    }
-    throw std::invalid_argument(fmt::format(
-        "the shard '{}' is not understood: write I/N with I from 1 to N, as 1/4", text));
-}
 
 TileOrder ConvertJob::texelOrder() const {
     return texelOrderOf(layout());
@@ -216,122 +188,6 @@ ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& pro
     checkSize(job);
     job.memory = memoryOf(job, options);
     return job;
-}
-
-ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options) {
-    const MethodChoice& choice = job.method;
-    std::uint64_t plan = job.samples().count();
-    for (const LightAndView& pair : job.samples().directions) {
-        plan = hashOf({pair.light, pair.view}, plan);
-    }
-    const std::uint64_t grid = hashOf(job.grid.views(), hashOf(job.grid.lights(), 0));
-    const auto number = [](const std::optional<double>& value) {
-        return value ? ordered_json(*value) : ordered_json("auto");
-    };
-    ordered_json asked = {
-        {"version", ABRDF_VERSION},
-        {"source", job.header.source},
-        {"images", job.samples().pairs.size()},
-        {"input_space", job.input.inputSpace},
-        {"missing", options.input.missing == MissingImages::kFill ? "fill" : "error"},
-        {"method", choice.name},
-        {"plan", job.header.plan},
-        {"samples", hex(plan)},
-        {"noise", number(choice.noise)},
-        {"saturated", number(choice.saturated)},
-        {"rank", choice.options.rank},
-        {"tolerance", choice.options.tolerance},
-        {"exposure", choice.options.exposure},
-        {"per_texel", choice.options.perTexel},
-        {"grid", hex(grid)},
-        {"grazing", nameOf(options.grazing)},
-        {"texels", fmt::format("{}x{}", job.texels.width, job.texels.height)},
-        {"plane", fmt::format("{:g} {}", job.found.plane.height,
-                              job.found.plane.edges == Edges::kPeriodic ? "periodic" : "cropped")},
-        {"layout", nameOf(options.layout)},
-        {"pixel", options.pixel == PixelChoice::kAuto   ? "auto"
-                  : options.pixel == PixelChoice::kHalf ? "half"
-                                                        : "float"},
-        {"compression", nameOf(options.compression)},
-        {"output_space", job.header.colorSpace},
-        {"cosine", options.divideCosine ? "divide" : "keep"}};
-    if (job.scene) {
-        const std::vector<double>& weights = job.planned.weights;
-        asked["pairs"] = hex(contentHash(
-            {reinterpret_cast<const char*>(weights.data()), weights.size() * sizeof(double)}));
-    }
-    return asked;
-}
-
-namespace {
-
-/// What the scene shows, and what that saved beside the same conversion of all pairs.
-ordered_json sceneReport(const ConvertJob& job, const ConvertOptions& options) {
-    const AngularGrid whole =
-        options.grid == "input" ? job.input.description().grid : gridFromName(options.grid);
-    const bool readsAll = job.planned.method->wish == SampleWish::kEverything;
-    const std::size_t images =
-        readsAll ? job.input.description().imageCount()
-                 : std::min(kPlanSamples, job.input.description().grid.pairCount());
-    ordered_json report = {
-        {"file", options.pairs.filename().string()},
-        {"pairs", job.scene->pairs.size()},
-        {"own_directions",
-         {{"lights", job.grid.lights() != whole.lights()},
-          {"views", job.grid.views() != whole.views()}}},
-        {"images", {{"read", job.samples().pairs.size()}, {"without", images}}},
-        {"outputs", {{"reconstructed", job.grid.pairCount()}, {"without", whole.pairCount()}}}};
-    if (job.planned.expectedError) report["expected_delta_e"] = *job.planned.expectedError;
-    return report;
-}
-
-}  // namespace
-
-ordered_json identityOf(ordered_json asked, std::uint64_t hash, std::span<const Rgb> meanSamples,
-                        const Reconstructor& reconstructor, std::size_t pairs) {
-    std::vector<Rgb> mean(pairs);
-    reconstructBlock(meanSamples, 1, reconstructor, mean);
-    asked["values"] = hex(hash);
-    asked["mean"] =
-        hex(contentHash({reinterpret_cast<const char*>(mean.data()), mean.size() * sizeof(Rgb)}));
-    return asked;
-}
-
-ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options) {
-    const BtfDescription& description = job.input.description();
-    ordered_json report;
-    report["command"] = "convert";
-    report["version"] = ABRDF_VERSION;
-    report["input"] = {{"format", description.format},
-                       {"lights", description.grid.lights().size()},
-                       {"views", description.grid.views().size()},
-                       {"width", description.width},
-                       {"height", description.height},
-                       {"images", description.imageCount()},
-                       {"below_horizon", description.belowHorizon},
-                       {"cosine", nameOf(description.cosine)},
-                       {"color_space", job.input.inputSpace}};
-    report["plan"] = {{"name", job.header.plan},
-                      {"samples", job.samples().count()},
-                      {"images_read", job.samples().pairs.size()}};
-    report["method"] = job.method.name;
-    if (job.planned.method->needsPrior) {
-        const std::string advice = planAdvice(job.header.plan, job.samples().count());
-        if (!advice.empty()) report["advice"] = advice;
-    }
-    if (!job.chosen.is_null()) report["choice"] = job.chosen;
-    report["texels"] = {job.texels.width, job.texels.height};
-    const ordered_json conversion = {{"what", description.source},
-                                     {"from", job.input.inputSpace},
-                                     {"to", job.header.colorSpace}};
-    report["color"] = {{"config", job.input.colors.origin()},
-                       {"conversions", ordered_json::array({conversion})}};
-    report["grid"] = {{"lights", job.grid.lights().size()}, {"views", job.grid.views().size()}};
-    if (job.scene) report["scene"] = sceneReport(job, options);
-    report["grazing"] = nameOf(options.grazing);
-    report["plane"] = jsonOf(job.found, description.grid);
-    if (job.header.shard > 0) report["shard"] = {job.header.shard, job.header.shards};
-    return report;
 }
 
 }  // namespace abrdf

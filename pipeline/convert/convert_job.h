@@ -56,17 +56,4 @@ struct ConvertJob {
 /// Throws as convert().
 ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& progress);
 
-/// What the atlas's bytes depend on, as far as it is known without decoding an image: two jobs that
-/// agree in it make the same atlas of the same images.
-nlohmann::ordered_json askedOf(const ConvertJob& job, const ConvertOptions& options);
-
-/// Adds what is known once the images were read: `hash` of their texels, and of what the method
-/// makes of their mean.
-nlohmann::ordered_json identityOf(nlohmann::ordered_json asked, std::uint64_t hash,
-                                  std::span<const Rgb> meanSamples,
-                                  const Reconstructor& reconstructor, std::size_t pairs);
-
-/// The parts of a report that are known beforehand.
-nlohmann::ordered_json reportOf(const ConvertJob& job, const ConvertOptions& options);
-
 }  // namespace abrdf

@@ -9,10 +9,11 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <vector>
 
 namespace abrdf {
 
-WrittenModel writeModel(const ConvertJob& job, const ConvertOptions& options,
+WrittenAtlas writeModel(const ConvertJob& job, const ConvertOptions& options,
                         const TransposedTable& table, const TexelSlicer& slicer,
                         const Reconstructor& reconstructor, const ProgressSink& progress) {
     if (reconstructor.model() == nullptr) {
@@ -47,7 +48,8 @@ WrittenModel writeModel(const ConvertJob& job, const ConvertOptions& options,
         };
         forEachTexelBlock(count, reconstructor.texelsAtOnce(), run);
     }
-    WrittenModel written;
+    WrittenAtlas written;
+    written.counts = job.header.counts;
     written.type = options.pixel == PixelChoice::kHalf ? PixelType::kHalf : PixelType::kFloat;
     written.bytes = writeModelAtlas(options.output, atlas, written.type);
     written.estimates = std::move(atlas.estimates);

@@ -4,8 +4,12 @@
 #include "abrdf/for_each_texel.h"
 #include "pipeline/convert/unshifted_texels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <stdexcept>
 
 namespace abrdf {
 
@@ -67,7 +71,7 @@ int rowsAtOnce(const AtlasLayout& layout, const AtlasWriter& writer, std::size_t
 
 /// Returns false where a half cannot hold a value and the atlas should become one of floats.
 bool writeAs(PixelType type, const ConvertJob& job, const ConvertOptions& options,
-             const ImageStack& aligned, const TexelMaker& maker, UnshiftedAtlas& written,
+             const ImageStack& aligned, const TexelMaker& maker, WrittenAtlas& written,
              const ProgressSink& progress) {
     const AtlasLayout& layout = job.layout();
     AtlasWriter writer(options.output, job.header, {type, options.compression, false, {}});
@@ -108,10 +112,23 @@ bool writeAs(PixelType type, const ConvertJob& job, const ConvertOptions& option
 
 }  // namespace
 
-UnshiftedAtlas writeUnshifted(const ConvertJob& job, const ConvertOptions& options,
-                              const ImageStack& aligned, const TexelMaker& maker,
-                              const ProgressSink& progress) {
-    UnshiftedAtlas written;
+void checkUnshiftedMemory(const ConvertJob& job, const ConvertOptions& options) {
+    const std::uint64_t samples =
+        sizeof(Rgb) * job.samples().pairs.size() * job.texels.count() + job.memory.fixedBytes;
+    const std::uint64_t rows = job.layout().kind == AtlasKind::kSpatial
+                                   ? 3 * sizeof(Rgb) * job.grid.pairCount() * job.texels.count()
+                                   : std::uint64_t{128} << 20;
+    if (samples + rows <= options.memory) return;
+    throw std::invalid_argument(
+        fmt::format("--unshift holds all samples in memory, which is bounded to {} MB; give it "
+                    "--memory {}M or more, or leave it out",
+                    options.memory >> 20, ((samples + rows) >> 20) + 1));
+}
+
+WrittenAtlas writeUnshifted(const ConvertJob& job, const ConvertOptions& options,
+                            const ImageStack& aligned, const TexelMaker& maker,
+                            const ProgressSink& progress) {
+    WrittenAtlas written;
     const PixelType first =
         options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
     if (!writeAs(first, job, options, aligned, maker, written, progress)) {

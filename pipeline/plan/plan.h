@@ -38,7 +38,4 @@ struct PlanJob {
 /// Cancelled.
 nlohmann::ordered_json plan(const PlanJob& job, const ProgressSink& progress);
 
-/// The report as a few lines for a terminal.
-std::string planSummary(const nlohmann::ordered_json& report);
-
 }  // namespace abrdf

@@ -6,6 +6,7 @@
 #include "abrdf/for_each_texel.h"
 #include "color/delta_e.h"
 #include "pipeline/convert/convert.h"
+#include "pipeline/convert/dry_run.h"
 #include "tests/bench/decode_limit.h"
 #include "tests/bench/duel.h"
 #include "tests/support/temporary_folder.h"

@@ -3,6 +3,7 @@
 
 #include "abrdf/for_each_texel.h"
 #include "pipeline/convert/convert.h"
+#include "pipeline/convert/dry_run.h"
 
 #include <turbojpeg.h>
 #include <zip.h>

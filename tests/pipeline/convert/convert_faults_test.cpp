@@ -3,6 +3,7 @@
 // What a job does when something is wrong, and on data that nobody made for it.
 #include "color/delta_e.h"
 #include "pipeline/convert/convert.h"
+#include "pipeline/convert/dry_run.h"
 #include "stages/read/atlas_reader.h"
 #include "tests/support/fault_of.h"
 #include "tests/support/file_size_limit.h"

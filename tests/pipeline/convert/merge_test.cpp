@@ -197,12 +197,7 @@ TEST_CASE("shards that lie about their form are refused, whatever job they name"
     CHECK_FALSE(fs::exists(merging.output));
 }
 
-TEST_CASE("a shard is I/N with I from 1 to N, and no more of them than rows of tiles") {
-    CHECK(shardFromText("3/4").index == 3);
-    for (const char* text : {"", "0/4", "5/4", "1", "1/", "a/b", "1/2/3", "-1/2"}) {
-        CAPTURE(text);
-        CHECK_THROWS_AS(shardFromText(text), std::invalid_argument);
-    }
+TEST_CASE("there are no more shards than rows of tiles") {
     const TemporaryFolder folder;
     writeStack(folder.path());
     ConvertOptions options = jobOn(folder.path());

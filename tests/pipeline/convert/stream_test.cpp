@@ -4,6 +4,7 @@
 #include "abrdf/for_each_texel.h"
 #include "abrdf/output_file.h"
 #include "pipeline/convert/convert.h"
+#include "pipeline/convert/dry_run.h"
 #include "pipeline/convert/memory_plan.h"
 #include "stages/read/atlas_reader.h"
 #include "tests/support/fault_of.h"

@@ -4,6 +4,7 @@
 #include "pipeline/plan/expected_error.h"
 #include "pipeline/plan/plan_choice.h"
 #include "pipeline/plan/plan_file.h"
+#include "pipeline/plan/plan_report.h"
 #include "stages/slice/choose_samples.h"
 #include "tests/support/temporary_folder.h"
 
