@@ -4,6 +4,7 @@
 #include "abrdf/atlas_header.h"
 #include "abrdf/grazing.h"
 #include "pipeline/chart/method_limits.h"
+#include "pipeline/convert/pixel_choice.h"
 #include "pipeline/convert/plane.h"
 #include "pipeline/convert/shard.h"
 #include "pipeline/reconstruction.h"
@@ -12,12 +13,6 @@
 #include <nlohmann/json.hpp>
 
 namespace abrdf {
-
-enum class PixelChoice {
-    kAuto,  ///< Half where every value fits, else float.
-    kHalf,
-    kFloat,
-};
 
 /// The main job: a BTF stack in, an atlas of reconstructed ABRDFs out.
 struct ConvertOptions {

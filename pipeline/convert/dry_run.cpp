@@ -35,9 +35,7 @@ ordered_json planConvert(const ConvertOptions& options) {
         {"memory", memory.peak},
         {"scratch_bytes", memory.scratchBytes},
         {"scratch_folder", scratchFolder(options.output).string()},
-        {"output_bytes_uncompressed",
-         3 * bytesOf(options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf) *
-             values}};
+        {"output_bytes_uncompressed", 3 * bytesOf(firstType(options.pixel)) * values}};
     report["images"] = files;
     return report;
 }

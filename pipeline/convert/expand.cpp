@@ -191,9 +191,7 @@ ordered_json expand(const ExpandOptions& options, const ProgressSink& progress) 
         TexelFinisher(grid, {colors.transform(model.header.colorSpace, header.colorSpace),
                              header.cosine == Cosine::kDivided}));
     header.counts.extrapolated = expander.extrapolatedPairs() * header.layout.texelCount();
-    const PixelType first =
-        options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
-    auto made = expandAs(first, model, expander, header, options, progress);
+    auto made = expandAs(firstType(options.pixel), model, expander, header, options, progress);
     if (!made) made = expandAs(PixelType::kFloat, model, expander, header, options, progress);
     return {{"command", "expand"},
             {"version", ABRDF_VERSION},

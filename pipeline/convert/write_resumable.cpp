@@ -43,9 +43,7 @@ WrittenAtlas writeResumable(const ConvertJob& job, const ConvertOptions& options
     }
     const bool hasEstimate = maker.reconstructor.knowsError();
     if (hasEstimate) journalled["estimate"] = true;
-    const PixelType first =
-        options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
-    TileJournal journal(options.output, journalled, first, options.resume);
+    TileJournal journal(options.output, journalled, firstType(options.pixel), options.resume);
     UnfinishedAtlas unfinished(journal, options.resume);
     WrittenAtlas written;
     written.resumedTiles = journal.written().tiles;

@@ -129,9 +129,7 @@ WrittenAtlas writeUnshifted(const ConvertJob& job, const ConvertOptions& options
                             const ImageStack& aligned, const TexelMaker& maker,
                             const ProgressSink& progress) {
     WrittenAtlas written;
-    const PixelType first =
-        options.pixel == PixelChoice::kFloat ? PixelType::kFloat : PixelType::kHalf;
-    if (!writeAs(first, job, options, aligned, maker, written, progress)) {
+    if (!writeAs(firstType(options.pixel), job, options, aligned, maker, written, progress)) {
         writeAs(PixelType::kFloat, job, options, aligned, maker, written, progress);
     }
     return written;
