@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs ten seconds of each fuzz target and then every test.
-# --sanitizers: before that all but the slow tests with clang under ASan and UBSan, and what runs on many
-# threads under TSan. --quick: the tests alone.
+# Installs what is missing, builds and runs every test, before that all but the slow ones under ASan and UBSan
+# with ten seconds of each fuzz target, and what runs on many threads under TSan. --quick: without these.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash examples/install_packages.sh
@@ -18,7 +17,7 @@ fi
 # Tests write stacks of thousands of small files; memory is kinder to them than a disk.
 if [ -w /dev/shm ]; then export TMPDIR=${TMPDIR:-/dev/shm}; fi
 suite() { # suite PRESET BUILD-PRESET
-    echo "== $1"
+    echo "== $1, from $((SECONDS / 60)) minutes on"
     cmake --preset "$1" > /dev/null
     cmake --build --preset "$2"
     ctest --preset "$1" -j"$(nproc)"
@@ -27,18 +26,14 @@ can_fuzz() {
     echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
         clang++-14 -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null
 }
-if [ "${1:-}" = --quick ]; then
-    echo "== without fuzzing"
-elif ! can_fuzz; then
-    echo "== SKIPPED: fuzzing, for clang++-14 and its libFuzzer are absent (clang-14, libclang-rt-14-dev)" >&2
-    if [ "${1:-}" = --sanitizers ]; then suite asan asan; fi
-elif [ "${1:-}" = --sanitizers ]; then
-    suite fuzz fuzz-all
-else
-    echo "== fuzz"
-    cmake --preset fuzz > /dev/null
-    cmake --build --preset fuzz
-    ctest --preset fuzz -L fuzz
+if [ "${1:-}" != --quick ]; then
+    # Under ASan and UBSan: ten seconds of each fuzz target, and all tests but the slow ones.
+    if can_fuzz; then
+        suite fuzz fuzz-tests
+    else
+        echo "== SKIPPED: fuzzing, for clang++-14 and its libFuzzer are absent (clang-14, libclang-rt-14-dev)" >&2
+        suite asan asan
+    fi
+    suite tsan tsan
 fi
-if [ "${1:-}" = --sanitizers ]; then suite tsan tsan; fi
 suite release release
