@@ -186,10 +186,10 @@ TEST_CASE("directions are enough where they differ, in elevation and out of one 
         {"the normal often", AngularGrid(std::vector<Direction>(12, {0, 1}))},
         {"one ring", AngularGrid(ring)},
         {"one plane", AngularGrid(line)}};
-    for (const auto& [name, grid] : grids) {
-        CAPTURE(name);
+    for (const auto& one : grids) {
+        CAPTURE(one.first);
         writeAtlas(folder.path() / "a.exr",
-                   syntheticAtlas(grid, 1, 1, [](const LightAndView& p, int, int) {
+                   syntheticAtlas(one.second, 1, 1, [](const LightAndView& p, int, int) {
                        const auto v = static_cast<float>(material(p));
                        return Rgb{v, v, v};
                    }));
