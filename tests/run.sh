@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs every test, before that all but the slow ones under ASan and UBSan
-# with ten seconds of each fuzz target, and what runs on many threads under TSan. --quick: without these.
+# Installs what is missing, builds and runs every test; before that all but the slow ones and the jobs on whole maps
+# under ASan and UBSan, with ten seconds of each fuzz target, and what runs on many threads under TSan.
+# --sanitizers: these jobs too, some ten minutes more. --quick: without sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash examples/install_packages.sh
@@ -16,23 +17,24 @@ fi
 (cd tests/page && npm ci --silent) || echo "no npm packages: the page's tests are skipped"
 # Tests write stacks of thousands of small files; memory is kinder to them than a disk.
 if [ -w /dev/shm ]; then export TMPDIR=${TMPDIR:-/dev/shm}; fi
-suite() { # suite PRESET BUILD-PRESET
+suite() { # suite PRESET BUILD-PRESET [OPTION OF CTEST...]
     echo "== $1, from $((SECONDS / 60)) minutes on"
     cmake --preset "$1" > /dev/null
     cmake --build --preset "$2"
-    ctest --preset "$1" -j"$(nproc)"
+    ctest --preset "$1" -j"$(nproc)" "${@:3}"
 }
 can_fuzz() {
     echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
         clang++-14 -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null
 }
 if [ "${1:-}" != --quick ]; then
-    # Under ASan and UBSan: ten seconds of each fuzz target, and all tests but the slow ones.
+    some=(-E "^pipeline:")
+    if [ "${1:-}" = --sanitizers ]; then some=(); fi
     if can_fuzz; then
-        suite fuzz fuzz-tests
+        suite fuzz fuzz-tests "${some[@]}"
     else
         echo "== SKIPPED: fuzzing, for clang++-14 and its libFuzzer are absent (clang-14, libclang-rt-14-dev)" >&2
-        suite asan asan
+        suite asan asan "${some[@]}"
     fi
     suite tsan tsan
 fi
