@@ -13,4 +13,6 @@ else
 fi
 export FUZZ_BIN FUZZ_SEED=1 FUZZ_WORK=$PWD/build/fuzz/smoke
 rm -rf "$FUZZ_WORK"
-bash tests/fuzz/targets.sh | xargs -n 1 -P 2 bash tests/fuzz/run.sh "${1:-10}"
+targets=$(bash tests/fuzz/targets.sh)
+[ -n "$targets" ]  # Without any, nothing would be fuzzed, and nothing found.
+echo "$targets" | xargs -n 1 -P 2 bash tests/fuzz/run.sh "${1:-10}"
