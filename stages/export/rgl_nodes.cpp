@@ -58,8 +58,9 @@ std::vector<float> sampleDensity(const RglShape& shape, const TableStack& ndf,
         const Imath::V3d toViewer = vectorFromDirection(in);
         const double area = sigma.at({rglFromTheta(in.theta), rglFromPhi(in.phi)}, kOnly);
         for (std::size_t i = 0; i < size; ++i) {
+            const std::size_t row = i / shape.warp;
             const SquarePlace place = {static_cast<double>(i % shape.warp) / last,
-                                       static_cast<double>(i / shape.warp) / last};
+                                       static_cast<double>(row) / last};
             const Direction m = {thetaFromRgl(place.x), phiFromRgl(place.y)};
             const double cosine = toViewer.dot(vectorFromDirection(m));
             // d omega_m = 2 pi^2 u sin(theta_m) d u_m
@@ -88,9 +89,10 @@ RglNodes nodesOf(const RglShape& shape, const RglData& data, const ExportSource&
         const double area = data.sigma.at({rglFromTheta(in.theta), rglFromPhi(in.phi)}, kOnly);
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t node = i % size;
-            const SquarePlace place = warp.warp({static_cast<double>(node % shape.side) / last,
-                                                 static_cast<double>(node / shape.side) / last},
-                                                table);
+            const std::size_t row = node / shape.side;
+            const SquarePlace place = warp.warp(
+                {static_cast<double>(node % shape.side) / last, static_cast<double>(row) / last},
+                table);
             // At the pole itself a source could not tell the azimuths apart.
             const Imath::V3d m =
                 vectorFromDirection({thetaFromRgl(std::max(place.x, 1e-3)), phiFromRgl(place.y)});
