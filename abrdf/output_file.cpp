@@ -158,6 +158,14 @@ void checkOutputPath(const fs::path& path) {
     }
 }
 
+void checkOutputPath(const fs::path& path, const fs::path& input) {
+    checkOutputPath(path);
+    std::error_code ignored;
+    if (!fs::exists(path, ignored) || !fs::equivalent(path, input, ignored)) return;
+    throw std::runtime_error(
+        fmt::format("{}: is the input as well; choose another output", path.string()));
+}
+
 std::string systemFault(const char* what, int error) {
     const char* help = "see to it and run again";
     if (error == ENOSPC || error == EDQUOT) help = "free some space and run again";

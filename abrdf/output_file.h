@@ -55,6 +55,9 @@ void writeWholeFile(const std::filesystem::path& path, std::string_view bytes);
 /// or the path is a folder or a device. Asked before any work starts.
 void checkOutputPath(const std::filesystem::path& path);
 
+/// The same, and throws where what is there is what a job reads.
+void checkOutputPath(const std::filesystem::path& path, const std::filesystem::path& input);
+
 /// The temporary's name beside `path`: hidden, and different for each process.
 std::filesystem::path temporaryBeside(const std::filesystem::path& path);
 

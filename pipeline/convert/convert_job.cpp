@@ -155,11 +155,7 @@ TileOrder ConvertJob::texelOrder() const {
 }
 
 ConvertJob prepareConvert(const ConvertOptions& options, const ProgressSink& progress) {
-    checkOutputPath(options.output);
-    if (fs::exists(options.output) && fs::equivalent(options.output, options.input.input)) {
-        throw std::runtime_error(fmt::format("{}: is the input as well; choose another output",
-                                             options.output.string()));
-    }
+    checkOutputPath(options.output, options.input.input);
     ConvertJob job;
     checkPlanChoice(methodFromName(options.method.name), options.method.plan);
     if (options.grid != "input") job.grid = gridFromName(options.grid);

@@ -172,12 +172,7 @@ std::optional<Expanded> expandAs(PixelType type, const ModelAtlas& model, const 
 
 ordered_json expand(const ExpandOptions& options, const ProgressSink& progress) {
     const Stopwatch time;
-    checkOutputPath(options.output);
-    if (fs::exists(options.output) && fs::exists(options.input) &&
-        fs::equivalent(options.output, options.input)) {
-        throw std::runtime_error(fmt::format("{}: is the input as well; choose another output",
-                                             options.output.string()));
-    }
+    checkOutputPath(options.output, options.input);
     if (options.layout == AtlasKind::kModel) {
         throw std::invalid_argument("expand makes atlases of layout angular or spatial");
     }

@@ -158,20 +158,10 @@ TexelPlace texelPlaceFromName(const std::string& name) {
     return place;
 }
 
-void checkIsNotInput(const fs::path& output, const fs::path& input) {
-    std::error_code ignored;
-    if (!fs::exists(output, ignored) || !fs::equivalent(output, input, ignored)) return;
-    throw std::runtime_error(
-        fmt::format("{}: is the input as well; choose another output", output.string()));
-}
-
 ordered_json exportBrdf(const ExportJob& job, const ProgressSink& progress) {
     const ExportFormat& format = exportFormatFromName(job.format);
     const fs::path beside = job.output.string() + ".json";
-    for (const fs::path& path : {job.output, beside}) {
-        checkOutputPath(path);
-        checkIsNotInput(path, job.input.input);
-    }
+    for (const fs::path& path : {job.output, beside}) checkOutputPath(path, job.input.input);
     const OpenedInput input = openInput(job.input);
     const BtfDescription& description = input.description();
     checkTexel(job.texel, description);

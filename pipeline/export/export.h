@@ -30,9 +30,6 @@ struct ExportJob {
     std::optional<TexelPlace> texel;  ///< Nothing: the mean.
 };
 
-/// Throws std::runtime_error where what is to be written is there, and is what is read.
-void checkIsNotInput(const std::filesystem::path& output, const std::filesystem::path& input);
-
 /// Writes the file, and FILE.json beside it: what it is, where it comes from, what was extrapolated
 /// and what was lost. Returns the same. Throws as convert().
 nlohmann::ordered_json exportBrdf(const ExportJob& job, const ProgressSink& progress);

@@ -140,8 +140,7 @@ class SceneFolder {
         for (const auto& entry : fs::directory_iterator(unfinished())) {
             files.push_back(entry.path());
             const fs::path target = folder_ / entry.path().filename();
-            checkOutputPath(target);
-            checkIsNotInput(target, input);
+            checkOutputPath(target, input);
         }
         for (const fs::path& file : files) fs::rename(file, folder_ / file.filename());
     }

@@ -5,12 +5,12 @@
 #include "abrdf/for_each_texel.h"
 #include "color/delta_e.h"
 #include "stages/export/turned_pair.h"
+#include "stages/export/value_range.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace abrdf {
@@ -95,12 +95,7 @@ Symmetries symmetriesOf(const ExportSource& source, int azimuths) {
         sum.swapSquare += pair.weight * pair.swapSquare;
         sum.brdfSquare += pair.weight * pair.brdfSquare;
     }
-    if (!std::isfinite(sum.deltaE) || !std::isfinite(sum.square)) {
-        throw std::runtime_error(fmt::format(
-            "{}: has values past what 32-bit floats hold once they are summed; scale the material "
-            "down",
-            source.name));
-    }
+    if (!std::isfinite(sum.deltaE) || !std::isfinite(sum.square)) failPastRange(source);
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
     return {ratio(sum.deltaE, sum.weight), ratio(sum.turnSquare, sum.square),
             ratio(sum.swapSquare, sum.brdfSquare)};

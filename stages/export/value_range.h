@@ -11,12 +11,15 @@
 
 namespace abrdf {
 
-/// Throws std::runtime_error, naming the source, where what is to be written is not finite.
-inline void checkRange(std::span<const Rgb> values, const ExportSource& source) {
-    if (std::ranges::all_of(values, isFinite)) return;
+[[noreturn]] inline void failPastRange(const ExportSource& source) {
     throw std::runtime_error(fmt::format(
         "{}: has values past what 32-bit floats hold once they are summed; scale the material down",
         source.name));
+}
+
+/// Throws std::runtime_error, naming the source, where what is to be written is not finite.
+inline void checkRange(std::span<const Rgb> values, const ExportSource& source) {
+    if (!std::ranges::all_of(values, isFinite)) failPastRange(source);
 }
 
 }  // namespace abrdf
